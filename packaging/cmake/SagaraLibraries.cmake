@@ -1,0 +1,17 @@
+# Third-party libraries, all Debian 12 packages listed in packaging/dependencies.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GeographicLib REQUIRED IMPORTED_TARGET geographiclib)
+include(GoogleTest)
+
+if(NOT SAGARA_CORE_ONLY)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Sql)
+  find_package(CLI11 2.1 REQUIRED)
+  find_package(spdlog 1.10 REQUIRED)
+  find_package(GDAL 3.6 REQUIRED)
+  qt_standard_project_setup()
+endif()
