@@ -1,0 +1,14 @@
+#pragma once
+
+/// Linear waves on water of constant depth: omega^2 = g k tanh(k h). Deep water: depth = kDeep_m.
+namespace sagara::core {
+
+inline constexpr double kDeep_m = 1e9;
+
+double angularFrequency_radps(double waveNumber_radpm, double depth_m, double gravity_mps2);
+/// Inverse of angularFrequency by Newton's method from the formula of Guo (2002); relative error below 1e-12.
+double waveNumber_radpm(double omega_radps, double depth_m, double gravity_mps2);
+/// d omega / d k.
+double groupSpeed_mps(double waveNumber_radpm, double depth_m, double gravity_mps2);
+
+}  // namespace sagara::core
