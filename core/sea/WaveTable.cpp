@@ -47,6 +47,13 @@ WaveTable::WaveTable(std::uint64_t seed, double depth_m) : m_depth_m(depth_m) {
     }
 }
 
+WaveTable WaveTable::regular(double omega_radps, double wavesTo_rad, double depth_m) {
+    WaveTable table(depth_m);
+    const double k = waveNumber_radpm(omega_radps, depth_m, kGravity_mps2);
+    table.m_long.push_back({k * std::cos(wavesTo_rad), k * std::sin(wavesTo_rad), omega_radps, 0.0, std::uint8_t{0}});
+    return table;
+}
+
 void WaveTable::addLongCell(std::size_t ring, std::size_t direction, Random& random) {
     const Ring& r = m_rings[ring];
     const double step_radpm = kWaveBands[r.band].step_radpm();

@@ -45,6 +45,9 @@ class WaveTable {
 public:
     /// depth_m: representative depth of the area, for the dispersion of all waves.
     WaveTable(std::uint64_t seed, double depth_m);
+    /// A table of one component, which need not be a lattice point: a regular wave for tests and response curves. It has
+    /// no cells, so addEnergy adds nothing: set the amplitude in SeaState.
+    static WaveTable regular(double omega_radps, double wavesTo_rad, double depth_m);
 
     const std::vector<WaveComponent>& components() const { return m_long; }
     /// Those of the short band, for drawing and probing.
@@ -58,6 +61,7 @@ public:
     void addShortEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const;
 
 private:
+    explicit WaveTable(double depth_m) : m_depth_m(depth_m) {}
     static constexpr std::size_t kDirections = 36;
     struct Ring {
         double low_radpm;

@@ -1,0 +1,48 @@
+#include "core/motion/SandaruwanShip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/CrossFlow.h"
+#include "core/motion/Propeller.h"
+
+namespace sagara::core {
+
+SandaruwanShip::SandaruwanShip(const SandaruwanModel& model, const Vessel& vessel)
+    : m_model(model), m_hull(vessel.hull), m_propulsion(vessel.propulsion) {}
+
+PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actuators& actuators,
+                                                const Load& external) const {
+    const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps;
+    const double mass_kg = m_hull.mass_kg();
+    // Below a tenth of the reference speed the time constants stand still, or they would grow without end.
+    constexpr double kSlowest = 0.1;
+    const double speedRatio = m_model.scalesWithSpeed ? u / m_model.referenceSpeed_mps : 1.0;
+    const double pace = std::max(std::abs(speedRatio), kSlowest);
+    const double gain_perS = m_model.gain_perS * (m_model.scalesWithSpeed ? speedRatio : 1.0);
+
+    double thrust_N = 0.0;
+    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
+        const PropulsionUnit& unit = m_propulsion.units[i];
+        thrust_N += (1.0 - unit.thrustDeduction) *
+                    openWaterThrust_N(unit, actuators.shaft_rps[i], u, m_hull.waterDensity_kgpm3);
+    }
+    // Yaw damping r/tau fades with speed; near rest the hull's cross flow stands in for it and for sway.
+    const double nearRest = std::clamp(2.0 * (1.0 - std::abs(speedRatio) / (2.0 * kSlowest)), 0.0, 1.0);
+    const Load drag = m_model.scalesWithSpeed ? nearRest * crossFlowDrag(m_hull, m_model.crossFlowDrag, v, r) : Load{};
+    const double yawInertia_kgm2 = mass_kg * m_hull.pitchGyradius_m * m_hull.pitchGyradius_m;
+
+    PlanarAcceleration a;
+    a.surge_mps2 = (thrust_N + external.surge_N - m_model.resistance_kgpm * u * std::abs(u) +
+                    (mass_kg + m_model.surgeFromTurn_kg) * v * r) /
+                   (mass_kg * (1.0 + m_model.surgeAddedMassRatio));
+    const double tau_s = m_model.timeConstant_s / pace;
+    const double steered_radps2 = (gain_perS * actuators.rudder_rad - r) / tau_s;
+    a.yaw_radps2 = steered_radps2 + (external.yaw_Nm + drag.yaw_Nm) /
+                                        (yawInertia_kgm2 * (1.0 + m_model.yawAddedInertiaRatio));
+    a.sway_mps2 = (m_model.swayGain_m * (tau_s * steered_radps2 + r) - v) / (m_model.swayTimeConstant_s / pace) +
+                  (external.sway_N + drag.sway_N) / (mass_kg * (1.0 + m_model.swayAddedMassRatio));
+    return a;
+}
+
+}  // namespace sagara::core

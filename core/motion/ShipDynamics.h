@@ -1,0 +1,41 @@
+#pragma once
+
+#include <variant>
+
+#include "core/motion/SandaruwanShip.h"
+#include "core/motion/WaveLoad.h"
+
+namespace sagara::core {
+
+/// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document. Immutable.
+/// Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and roll where it has not)
+/// are springs on the waterplane with added mass and damping.
+class ShipDynamics {
+public:
+    ShipDynamics(const Vessel& vessel, const WaveTable& waves);
+
+    /// Rate of every field of the motion. `external`: all loads but those of hull, rudder, propellers and waves. `current`:
+    /// of the water, in N, m/s.
+    ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external, const WaveEffect& waves,
+                          NorthEast current) const;
+
+    const WaveLoad& waveLoad() const { return m_waveLoad; }
+    /// Mass that a blow from the side has to stop: ship and added mass in sway.
+    double lateralMass_kg() const { return m_swayMass_kg; }
+    double heaveStiffness_Npm() const { return m_c.heaveStiffness; }
+
+private:
+    static WaveLoad::Coefficients coefficients(const Vessel& vessel);
+
+    std::variant<PolynomialShip, SandaruwanShip> m_model;
+    bool m_modelHasRoll;
+    double m_mass_kg;
+    double m_swayMass_kg;
+    double m_pitchInertia_kgm2;
+    double m_rollInertia_kgm2;  ///< with added inertia
+    double m_rollDamping_Nms;
+    WaveLoad::Coefficients m_c;
+    WaveLoad m_waveLoad;
+};
+
+}  // namespace sagara::core

@@ -1,0 +1,52 @@
+#include "core/vessel/Vessel.h"
+
+#include <algorithm>
+
+#include "core/vessel/ReadPoint.h"
+
+namespace sagara::core {
+namespace {
+
+/// Reads one group of the document with its own reader.
+template <typename T>
+T readGroup(config::Reader& in, const char* key, T (*read)(config::Reader&)) {
+    config::Reader group(in.child(key));
+    return read(group);
+}
+
+}  // namespace
+
+bool isDocumentId(std::string_view id) {
+    return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+    });
+}
+
+Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text) {
+    config::Document document(name, text);
+    if (!document.isKind("vessel", kVesselDocumentVersion)) return document.problems();
+    config::Reader in(document.root());
+    in.text("document");
+    in.integer("version", 1, kVesselDocumentVersion);
+    Vessel v;
+    v.id = in.text("id");
+    if (!v.id.empty() && !isDocumentId(v.id)) in.problem("id", "is \"" + v.id + "\"", "letters a-z, digits and hyphens");
+    v.name = in.text("name");
+    v.type = in.text("type");
+    config::Reader eye(in.child("bridgeEye"));
+    v.bridgeEye = readBodyPoint(eye);
+    v.bridgeEyeHeight_m = eye.number("height_m", {0.5, 80.0, "m"});
+    eye.rejectUnknownKeys();
+    v.hull = readGroup(in, "hull", readHull);
+    v.model = readGroup(in, "model", readShipModel);
+    v.seakeeping = readGroup(in, "seakeeping", readSeakeeping);
+    v.propulsion = readGroup(in, "propulsion", readPropulsion);
+    v.steering = readGroup(in, "steering", readSteering);
+    v.windage = readGroup(in, "windage", readWindage);
+    v.mooring = readGroup(in, "mooring", readMooringGear);
+    v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
+    in.rejectUnknownKeys();
+    return document.finish(std::move(v));
+}
+
+}  // namespace sagara::core

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/Result.h"
+#include "core/vessel/DeckGear.h"
+#include "core/vessel/Hull.h"
+#include "core/vessel/Machinery.h"
+#include "core/vessel/ShipModel.h"
+#include "core/vessel/Windage.h"
+
+namespace sagara::core {
+
+inline constexpr int kVesselDocumentVersion = 1;
+
+/// Everything a vessel document says, in SI and frame B. Plain data: what is worked out from it is made by core/motion.
+struct Vessel {
+    std::string id;  ///< lower-case letters, digits and hyphens
+    std::string name;
+    std::string type;  ///< "patrol", "tanker", ...: free text for people
+    BodyPoint bridgeEye;
+    double bridgeEyeHeight_m = 0.0;
+    Hull hull;
+    ShipModel model;
+    Seakeeping seakeeping;
+    Propulsion propulsion;
+    Steering steering;
+    Windage windage;
+    MooringGear mooring;
+    GroundTackle groundTackle;
+};
+
+/// All problems of the document at once. `name` is used in messages: a file name or an id.
+Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text);
+
+/// Whether it can name a document: 1 to 60 of a-z, 0-9 and '-'.
+bool isDocumentId(std::string_view id);
+
+}  // namespace sagara::core

@@ -1,0 +1,32 @@
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "core/motion/ShipDynamics.h"
+#include "core/sea/Beaufort.h"
+#include "tests/support/Assets.h"
+
+namespace sagara::core {
+namespace {
+
+/// Six wave loads on one ship, as many components as the argument says.
+void sixWaveLoads(benchmark::State& state) {
+    const WaveTable table(1, 20.0);
+    const Vessel vessel = loadVessel("patrol51.json", test::readAsset("vessels/patrol51.json")).value();
+    const ShipDynamics ship(vessel, table);
+    SeaState sea{{*windSea(windOfBeaufort_mps(5), 0.6, Exposure::Inshore)}, {}, {}};
+    raiseSea(table, sea);
+    sea.active.resize(static_cast<std::size_t>(state.range(0)));
+    sea.amplitude_m.resize(sea.active.size());
+    const auto waves = std::make_unique<ActiveWaves>();
+    activeWaves(table, sea, SimTime::fromSeconds(600), *waves);
+    double heading = 0.3;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(ship.waveLoad().at(sea, *waves, {400.0, 300.0}, heading, 1.0));
+        heading += 1e-6;
+    }
+}
+BENCHMARK(sixWaveLoads)->Arg(100)->Arg(200);
+
+}  // namespace
+}  // namespace sagara::core

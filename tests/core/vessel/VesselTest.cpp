@@ -1,0 +1,109 @@
+#include "core/vessel/Vessel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "core/base/Units.h"
+#include "tests/support/Assets.h"
+
+namespace sagara::core {
+namespace {
+
+std::string patrol() { return test::readAsset("vessels/patrol51.json"); }
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+std::string problemsOf(const std::string& text) {
+    const auto loaded = loadVessel("v.json", text);
+    return loaded ? "" : loaded.error().text();
+}
+
+class ShippedVessel : public ::testing::TestWithParam<const char*> {};
+TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
+    const auto vessel = loadVessel(GetParam(), test::readAsset(std::string("vessels/") + GetParam() + ".json"));
+    ASSERT_TRUE(vessel) << vessel.error().text();
+    EXPECT_EQ(vessel->id, GetParam());
+    for (const Provenance* p : {&vessel->hull.provenance, &vessel->seakeeping.provenance, &vessel->propulsion.provenance,
+                                &vessel->steering.provenance, &vessel->windage.provenance,
+                                &vessel->mooring.provenance, &vessel->groundTackle.provenance}) {
+        EXPECT_GT(p->source.size(), 10u);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel, ::testing::Values("patrol51", "esso-osaka"),
+                         [](const auto& row) { return std::regex_replace(std::string(row.param), std::regex("-"), "_"); });
+
+TEST(Vessel, UnitsAreConvertedOnTheWayIn) {
+    const Vessel v = loadVessel("patrol51", patrol()).value();
+    EXPECT_NEAR(v.steering.limit_rad, 35 * kDegree_rad, 1e-12);
+    EXPECT_NEAR(v.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::FullAhead)], 7.0, 1e-12);
+    EXPECT_NEAR(v.groundTackle.anchors[0].cableLength_m, 8 * 27.432, 1e-9);
+    EXPECT_EQ(v.mooring.breakingLoad_N, 220e3);
+    EXPECT_NEAR(v.hull.mass_kg(), 361998.0, 1.0);
+}
+
+TEST(Vessel, WrongValuesAreAllNamedWithTheirPath) {
+    std::string text = replaced(patrol(), "\"beam_m\": 8.6", "\"beam_m\": \"wide\"");
+    text = replaced(text, "\"diameter_m\": 1.6", "\"diameter_m\": -1.6");
+    text = replaced(text, "\"limit_deg\": 35.0", "\"limmit_deg\": 35.0");
+    const std::string problems = problemsOf(text);
+    EXPECT_NE(problems.find("v.json: hull.beam_m is \"wide\", expected 1 to 80 m"), std::string::npos) << problems;
+    EXPECT_NE(problems.find("v.json: propulsion.units[0].diameter_m is -1.6, expected 0.1 to 15 m"), std::string::npos);
+    EXPECT_NE(problems.find("v.json: steering.limit_deg is missing, expected 10 to 70 deg"), std::string::npos);
+    EXPECT_NE(problems.find("v.json: steering.limmit_deg is unknown"), std::string::npos);
+}
+
+TEST(Vessel, PhysicalNonsenseIsRefusedWithTheNumbers) {
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"displacement_m3\": 357.0", "\"displacement_m3\": 3570.0")),
+              "v.json: hull.displacement_m3 is 3570, a block coefficient of 3.505 with the other particulars, expected "
+              "0.2 to 1");
+    EXPECT_NE(problemsOf(replaced(patrol(), "\"slowAhead\": 156", "\"slowAhead\": 100"))
+                  .find("telegraph_rpm.slowAhead is 100, expected more than the step below it, 102 rpm"),
+              std::string::npos);
+    EXPECT_NE(problemsOf(replaced(patrol(), "\"wholeBelow_mps\": 3.0", "\"wholeBelow_mps\": 5.0"))
+                  .find("expected less than published.holdsFrom_mps, 4 m/s"),
+              std::string::npos);
+}
+
+TEST(Vessel, ATermThatIsNotAProductIsRefused) {
+    EXPECT_NE(problemsOf(replaced(patrol(), "\"of\": \"phi^3\"", "\"of\": \"phi^9\"")).find("is \"phi^9\", expected up to four"),
+              std::string::npos);
+    std::array<PolynomialTerm::Factor, 4> f{};
+    EXPECT_TRUE(parseFactors("phi u^2", f));
+    EXPECT_EQ(f[2], PolynomialTerm::Factor::Surge);
+    for (const char* bad : {"", "w", "u u u u u", "u^", "u^5", "|u", "u*v"}) EXPECT_FALSE(parseFactors(bad, f)) << bad;
+}
+
+TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"version\": 1", "\"version\": 2")),
+              "v.json: version is 2, expected a whole number from 1 to 1");
+}
+
+TEST(Outline, IsClosedConvexEnoughAndTheSizeOfTheShip) {
+    const Vessel v = loadVessel("patrol51", patrol()).value();
+    const auto outline = outlineOf(v.hull);
+    double x = 0.0, y = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const BodyPoint a = outline[i], b = outline[(i + 1) % outline.size()];
+        EXPECT_LE(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m), kOutlineStep_m + 1e-9);
+        x = std::max(x, std::abs(a.x_m));
+        y = std::max(y, std::abs(a.y_m));
+    }
+    EXPECT_DOUBLE_EQ(x, 27.0);
+    EXPECT_DOUBLE_EQ(y, 4.3);
+}
+
+TEST(DocumentId, IsShortAndPlain) {
+    EXPECT_TRUE(isDocumentId("patrol51"));
+    EXPECT_TRUE(isDocumentId("esso-osaka"));
+    for (const char* bad : {"", "Patrol", "a b", "../x", "a/b"}) EXPECT_FALSE(isDocumentId(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace sagara::core
