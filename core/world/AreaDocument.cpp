@@ -20,7 +20,7 @@ public:
         readTide(a);
         a.land = readRings("land");
         a.context = readRings("context");
-        a.shore = Shore(readShore());
+        a.shore = Shore(readShore(), a.land);
         a.depths = readGrids("depths", {-500.0, 12000.0, "m"});
         a.shelter = readGrids("shelter", {0.0, 1.0, ""});
         a.elevation = readGrids("elevation", {-100.0, 9000.0, "m"});

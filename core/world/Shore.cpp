@@ -20,15 +20,62 @@ const char* shoreKindName(ShoreKind kind) {
     return "";
 }
 
-Shore::Shore(std::vector<ShoreLine> lines) : m_lines(std::move(lines)) {
+namespace {
+
+NorthEast unit(NorthEast v) {
+    const double l = length(v);
+    return l > 0.0 ? (1.0 / l) * v : NorthEast{1.0, 0.0};
+}
+
+/// Whether land lies on the right hand, going along the line: most of its pieces decide, because a line of the chart may
+/// touch the ring's corners.
+bool landOnTheRight(const ShoreLine& line, const std::vector<std::vector<NorthEast>>& land) {
+    constexpr double kProbe_m = 0.3;
+    int votes = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const NorthEast along = line.points[i] - line.points[i - 1];
+        const NorthEast probe = line.points[i - 1] + 0.5 * along + kProbe_m * turnedRight(unit(along));
+        const bool onLand =
+            std::any_of(land.begin(), land.end(), [&](const auto& ring) { return contains(ring, probe); });
+        votes += onLand ? 1 : -1;
+    }
+    return votes > 0;
+}
+
+/// Pieces of one line with their water sides.
+void addPieces(std::vector<Shore::Piece>& pieces, const ShoreLine& line, std::uint32_t index, bool landRight) {
+    const std::size_t first = pieces.size();
+    const double side = landRight ? -1.0 : 1.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const Segment s{line.points[i - 1], line.points[i]};
+        const NorthEast toWater = side * turnedRight(unit(s.b - s.a));
+        pieces.push_back({s, index, toWater, toWater, toWater});
+    }
+    for (std::size_t i = first + 1; i < pieces.size(); ++i) {
+        const NorthEast between = unit(pieces[i - 1].toWater + pieces[i].toWater);
+        pieces[i - 1].toWaterB = pieces[i].toWaterA = between;
+    }
+}
+
+}  // namespace
+
+Shore::Offset Shore::offset(const Piece& piece, NorthEast p) {
+    const NorthEast nearest = nearestPoint(piece.segment, p);
+    const NorthEast normal = nearest == piece.segment.a   ? piece.toWaterA
+                             : nearest == piece.segment.b ? piece.toWaterB
+                                                          : piece.toWater;
+    const double far_m = distance(nearest, p);
+    return {dot(p - nearest, normal) < 0.0 ? -far_m : far_m, nearest};
+}
+
+Shore::Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEast>>& land) : m_lines(std::move(lines)) {
     NorthEast low{1e18, 1e18}, high{-1e18, -1e18};
     for (std::uint32_t line = 0; line < m_lines.size(); ++line) {
-        const std::vector<NorthEast>& points = m_lines[line].points;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            low = {std::min(low.north_m, points[i].north_m), std::min(low.east_m, points[i].east_m)};
-            high = {std::max(high.north_m, points[i].north_m), std::max(high.east_m, points[i].east_m)};
-            if (i > 0) m_pieces.push_back({{points[i - 1], points[i]}, line});
+        for (const NorthEast p : m_lines[line].points) {
+            low = {std::min(low.north_m, p.north_m), std::min(low.east_m, p.east_m)};
+            high = {std::max(high.north_m, p.north_m), std::max(high.east_m, p.east_m)};
         }
+        addPieces(m_pieces, m_lines[line], line, landOnTheRight(m_lines[line], land));
     }
     if (m_pieces.empty()) return;
     m_southWest = low;

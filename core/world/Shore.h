@@ -23,12 +23,21 @@ struct ShoreLine {
 class Shore {
 public:
     Shore() = default;
-    explicit Shore(std::vector<ShoreLine> lines);
+    /// `land`: closed rings that tell on which side of a line the water is.
+    Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEast>>& land);
 
     struct Piece {
         Segment segment;
         std::uint32_t line;  ///< index into lines()
+        /// Unit vectors towards the water: of the piece, and of its ends, where they are the mean with the neighbour's.
+        NorthEast toWater, toWaterA, toWaterB;
     };
+    /// Distance from the piece to p, positive on the water side, and the point of the piece nearest to p.
+    struct Offset {
+        double distance_m;
+        NorthEast nearest;
+    };
+    static Offset offset(const Piece& piece, NorthEast p);
     const std::vector<ShoreLine>& lines() const { return m_lines; }
 
     /// Calls visit(piece) for every segment that may lie within `radius_m` of p. Each segment may come more than once.

@@ -1,0 +1,54 @@
+#include "core/bridge/Autopilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Angle.h"
+
+namespace sagara::core {
+namespace {
+
+constexpr double kSlowest_mps = 1.0;      // below, the rudder hardly works and gains stop growing
+constexpr double kHeadingGain = 1.2;      // rudder per heading error
+constexpr double kRateGain = 0.7;         // rudder per r L/U
+constexpr double kTurnGain = 1.0;         // rudder per wanted r L/U: K' of a well-behaved ship is about 1
+constexpr double kLookAhead_lengths = 1.5;
+constexpr double kLead_lengths = 0.8;     // the turn begins this much before the arc
+constexpr double kIntegralTime_s = 120.0;
+constexpr double kMostIntegral_rad = 20.0 * kDegree_rad;
+
+double speed(const ShipMotion& m) { return std::max(kSlowest_mps, std::abs(m.surge_mps)); }
+
+}  // namespace
+
+double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double heading_rad, double turn_radps) {
+    const double pace_s = vessel.hull.lengthBp_m / speed(m);
+    const double error_rad = wrapPi(heading_rad - m.heading_rad);
+    const double rudder_rad = kHeadingGain * error_rad + kRateGain * pace_s * (turn_radps - m.yawRate_radps) +
+                              kTurnGain * pace_s * turn_radps;
+    return std::clamp(rudder_rad, -vessel.steering.limit_rad, vessel.steering.limit_rad);
+}
+
+double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state, double dt_s) {
+    const double length_m = vessel.hull.lengthBp_m;
+    const RoutePath::Place here = path.nearest(m.position(), state.along_m, 50.0, 300.0);
+    state.along_m = here.along_m;
+    const double lookAhead_m = kLookAhead_lengths * length_m;
+    const double limit_ms = kMostIntegral_rad * lookAhead_m * kIntegralTime_s / 10.0;
+    if (std::abs(here.offTrack_m) < lookAhead_m) {
+        state.offTrackSum_ms = std::clamp(state.offTrackSum_ms + here.offTrack_m * dt_s, -limit_ms, limit_ms);
+    }
+    const RoutePath::Place ahead = path.at(here.along_m + kLead_lengths * length_m);
+    const double towards_rad = std::atan2(here.offTrack_m + state.offTrackSum_ms / kIntegralTime_s, lookAhead_m);
+    state.setHeading_rad = ahead.course_rad - towards_rad;
+    return steerHeading_rad(vessel, m, state.setHeading_rad, speed(m) * ahead.curvature_perM);
+}
+
+double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
+                          double handOrder_rad, double dt_s) {
+    if (state.mode == AutopilotMode::Heading) return steerHeading_rad(vessel, m, state.setHeading_rad, 0.0);
+    if (state.mode == AutopilotMode::Track && path.length_m() > 0.0) return steerTrack_rad(vessel, path, m, state, dt_s);
+    return handOrder_rad;
+}
+
+}  // namespace sagara::core

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/motion/ShipMotion.h"
+#include "core/vessel/Vessel.h"
+#include "core/world/Route.h"
+
+namespace sagara::core {
+
+enum class AutopilotMode : std::uint8_t { Off, Heading, Track };
+
+struct AutopilotState {
+    AutopilotMode mode = AutopilotMode::Off;
+    double setHeading_rad = 0.0;
+    double along_m = 0.0;         ///< place on the route, track mode
+    double offTrackSum_ms = 0.0;  ///< integral of the cross-track error, against wind and current
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.mode, self.setHeading_rad, self.along_m, self.offTrackSum_ms);
+    }
+};
+
+/// Rudder for a heading: proportional with rate feedback, gains scaled by L/U so that one tuning serves every ship.
+/// `turn_radps`: wanted rate of turn, 0 on a straight course.
+double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double heading_rad, double turn_radps);
+
+/// Rudder that keeps the ship on the path: course of the track a little ahead, turned towards the track by line of sight,
+/// with the turn of the arc fed forward. Moves state.along_m on.
+double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state, double dt_s);
+
+/// One tick of whichever mode is on: the rudder order, or the given one when off.
+double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
+                          double handOrder_rad, double dt_s);
+
+}  // namespace sagara::core

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/Planar.h"
+
+namespace sagara::core {
+
+/// What kind of vessel a target is: how she looks and behaves.
+enum class TargetType : std::uint8_t { Fishing, Coaster, Tanker, Container, Ferry, Yacht, Tug, FastCraft };
+
+enum class TargetBehaviour : std::uint8_t {
+    Route,   ///< follows her waypoints once, then lies stopped at the last
+    Circuit, ///< follows her waypoints for ever
+    Lying,   ///< stopped or anchored where she is
+    Hostile  ///< loiters at her first waypoint, closes an own ship that comes near, harasses her
+};
+
+/// A traffic ship of the scenario. Immutable; positions in frame N.
+struct TargetLayout {
+    std::string id;
+    std::string name;
+    TargetType type = TargetType::Fishing;
+    TargetBehaviour behaviour = TargetBehaviour::Route;
+    double length_m = 10.0;
+    double beam_m = 3.0;
+    double draught_m = 1.0;
+    struct Waypoint {
+        NorthEast position;
+        double speed_mps = 0.0;  ///< on the way to it
+    };
+    std::vector<Waypoint> route;  ///< the first is where she starts
+    int fromLevel = 1;            ///< appears from this difficulty on
+    bool onEvent = false;         ///< appears only when an event says so
+    std::vector<BodyPoint> outline;
+
+    double mass_kg() const;
+};
+
+/// What a hostile craft is doing.
+enum class HostilePhase : std::uint8_t { Loiter, Close, Harass, Withdraw };
+
+struct TargetState {
+    bool present = false;
+    bool stopped = false;  ///< after a collision, or by order: dead in the water
+    NorthEast position;
+    double heading_rad = 0.0;
+    double speed_mps = 0.0;
+    double yawRate_radps = 0.0;
+    std::uint32_t leg = 0;  ///< waypoint she heads for
+    double orderedSpeed_mps = -1.0;  ///< by the instructor; negative: as her route says
+    HostilePhase phase = HostilePhase::Loiter;
+    double phaseTime_s = 0.0;
+
+    NorthEast velocity() const { return speed_mps * unitVector(heading_rad); }
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.present, self.stopped, self.position, self.heading_rad, self.speed_mps, self.yawRate_radps, self.leg,
+           self.orderedSpeed_mps, self.phase, self.phaseTime_s);
+    }
+};
+
+/// She at her start, heading along her first leg at its speed, not yet present.
+TargetState startOf(const TargetLayout& layout);
+
+/// Where she wants to go and how fast, for this tick.
+struct TargetIntent {
+    double heading_rad;
+    double speed_mps;
+};
+TargetIntent followRoute(const TargetLayout& layout, TargetState& state);
+
+/// First-order dynamics in yaw and speed with limits by length and speed (after Nomoto 1957): no jumps in heading, turn
+/// rate or speed. Turning circle 2.5 lengths in radius at any speed, 1.5 for fast craft.
+void moveTarget(const TargetLayout& layout, TargetState& state, const TargetIntent& intent, NorthEast current,
+                double dt_s);
+
+const char* targetTypeName(TargetType type);
+
+}  // namespace sagara::core
