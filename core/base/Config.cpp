@@ -1,5 +1,6 @@
 #include "core/base/Config.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,12 @@ std::string formatNumber(double value) {
     char text[32];
     const auto end = std::to_chars(text, text + sizeof text, value).ptr;
     return {text, end};
+}
+
+bool isId(std::string_view id) {
+    return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+    });
 }
 
 void Node::problem(std::string found, std::string expected) const {
@@ -151,6 +158,12 @@ std::string Reader::textOr(std::string_view key, std::string fallback) {
     return find(key) ? text(key) : fallback;
 }
 
+std::string Reader::id(std::string_view key) {
+    const std::string found = text(key);
+    if (!found.empty() && !isId(found)) problem(key, "is \"" + found + "\"", "1 to 60 letters a-z, digits and hyphens");
+    return found;
+}
+
 GeoPoint Reader::geoPoint(std::string_view key) {
     Reader point(child(key));
     GeoPoint p{point.number("lat", {-90.0, 90.0, "deg"}), point.number("lon", {-180.0, 180.0, "deg"})};
@@ -230,12 +243,12 @@ std::vector<Node> Reader::listOr(std::string_view key) { return items(find(key),
 
 std::size_t Reader::choiceIndex(std::string_view key, std::span<const char* const> names) {
     const json* value = require(key, ("one of " + join(names)).c_str());
-    if (!value) return 0;
+    if (!value) return names.size();
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (*value == names[i]) return i;
     }
     problem(key, "is " + quoted(*value), "one of " + join(names));
-    return 0;
+    return names.size();
 }
 
 void Reader::rejectUnknownKeys() {

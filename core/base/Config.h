@@ -83,6 +83,7 @@ public:
     bool flagOr(std::string_view key, bool fallback);
     std::string text(std::string_view key);  ///< not empty
     std::string textOr(std::string_view key, std::string fallback);
+    std::string id(std::string_view key);  ///< see isId
     /// {"lat": .., "lon": ..}
     GeoPoint geoPoint(std::string_view key);
     /// Exactly `count` numbers, or any number of them when count is 0.
@@ -99,12 +100,18 @@ public:
         const char* name;
         E value;
     };
+    /// One of the named values, or nothing after a problem.
+    template <typename E>
+    std::optional<E> choiceIfKnown(std::string_view key, std::initializer_list<Choice<E>> choices) {
+        std::vector<const char*> names;
+        for (const auto& c : choices) names.push_back(c.name);
+        const std::size_t index = choiceIndex(key, names);
+        return index < names.size() ? std::optional<E>(std::data(choices)[index].value) : std::nullopt;
+    }
     /// One of the named values; the first is returned after a problem.
     template <typename E>
     E choice(std::string_view key, std::initializer_list<Choice<E>> choices) {
-        std::vector<const char*> names;
-        for (const auto& c : choices) names.push_back(c.name);
-        return std::data(choices)[choiceIndex(key, names)].value;
+        return choiceIfKnown(key, choices).value_or(std::data(choices)[0].value);
     }
 
     void problem(std::string_view key, std::string found, std::string expected);
@@ -115,12 +122,16 @@ private:
     const nlohmann::json* require(std::string_view key, const char* expected);
     std::string pathOf(std::string_view key) const;
     double checked(const nlohmann::json& value, const std::string& path, Range range);
+    /// names.size() after a problem.
     std::size_t choiceIndex(std::string_view key, std::span<const char* const> names);
     std::vector<Node> items(const nlohmann::json* array, std::string_view key);
 
     Node m_node;
     std::set<std::string, std::less<>> m_known;
 };
+
+/// Whether it can name a document or a thing in one: 1 to 60 of a-z, 0-9 and '-'.
+bool isId(std::string_view id);
 
 /// Shortest decimal form that reads back the same.
 std::string formatNumber(double value);

@@ -58,6 +58,9 @@ GroundTackle readGroundTackle(config::Reader& in) {
         anchor.rejectUnknownKeys();
         tackle.anchors.push_back(a);
     }
+    if (tackle.anchors.size() > kMostAnchors) {
+        in.problem("anchors", "has " + std::to_string(tackle.anchors.size()), "at most " + std::to_string(kMostAnchors));
+    }
     tackle.provenance = readProvenance(in);
     in.rejectUnknownKeys();
     return tackle;

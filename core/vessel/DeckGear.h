@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "core/vessel/Provenance.h"
 
 namespace sagara::core {
+
+inline constexpr std::size_t kMostLines = 8;    ///< of one ship in an exercise
+inline constexpr std::size_t kMostAnchors = 2;
 
 /// Where a mooring line leaves the ship.
 struct Fairlead {

@@ -32,10 +32,10 @@ void checkForm(config::Reader& in, const Hull& hull) {
 
 }  // namespace
 
-std::vector<BodyPoint> outlineOf(const Hull& hull) {
-    const double bow = hull.lengthOverall_m / 2.0, half = hull.beam_m / 2.0;
-    const double shoulder = bow - 0.3 * hull.lengthOverall_m;
-    const double entry = bow - 0.12 * hull.lengthOverall_m;  // where the bow has 60 % of its breadth
+std::vector<BodyPoint> outlineOf(double lengthOverall_m, double beam_m) {
+    const double bow = lengthOverall_m / 2.0, half = beam_m / 2.0;
+    const double shoulder = bow - 0.3 * lengthOverall_m;
+    const double entry = bow - 0.12 * lengthOverall_m;  // where the bow has 60 % of its breadth
     const std::vector<BodyPoint> corners{{bow, 0.0},           {entry, 0.6 * half},   {shoulder, half},
                                          {-bow + half, half},  {-bow, 0.85 * half},   {-bow, -0.85 * half},
                                          {-bow + half, -half}, {shoulder, -half},     {entry, -0.6 * half}};

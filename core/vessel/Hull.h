@@ -30,7 +30,7 @@ struct Hull {
 /// Outline of the ship at the waterline and above, as seen from above: what touches a quay. Clockwise from the bow,
 /// points at most `kOutlineStep_m` apart. A pointed bow over the forward 30 % of the length, parallel sides, a transom
 /// at 85 % of the beam: enough for contact; the picture has its own hull.
-std::vector<BodyPoint> outlineOf(const Hull& hull);
+std::vector<BodyPoint> outlineOf(double lengthOverall_m, double beam_m);
 inline constexpr double kOutlineStep_m = 3.0;
 
 Hull readHull(config::Reader& in);

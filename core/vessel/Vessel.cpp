@@ -1,7 +1,5 @@
 #include "core/vessel/Vessel.h"
 
-#include <algorithm>
-
 #include "core/vessel/ReadPoint.h"
 
 namespace sagara::core {
@@ -16,12 +14,6 @@ T readGroup(config::Reader& in, const char* key, T (*read)(config::Reader&)) {
 
 }  // namespace
 
-bool isDocumentId(std::string_view id) {
-    return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-    });
-}
-
 Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text) {
     config::Document document(name, text);
     if (!document.isKind("vessel", kVesselDocumentVersion)) return document.problems();
@@ -29,8 +21,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     in.text("document");
     in.integer("version", 1, kVesselDocumentVersion);
     Vessel v;
-    v.id = in.text("id");
-    if (!v.id.empty() && !isDocumentId(v.id)) in.problem("id", "is \"" + v.id + "\"", "letters a-z, digits and hyphens");
+    v.id = in.id("id");
     v.name = in.text("name");
     v.type = in.text("type");
     config::Reader eye(in.child("bridgeEye"));

@@ -16,7 +16,7 @@ inline constexpr int kVesselDocumentVersion = 1;
 
 /// Everything a vessel document says, in SI and frame B. Plain data: what is worked out from it is made by core/motion.
 struct Vessel {
-    std::string id;  ///< lower-case letters, digits and hyphens
+    std::string id;
     std::string name;
     std::string type;  ///< "patrol", "tanker", ...: free text for people
     BodyPoint bridgeEye;
@@ -33,8 +33,5 @@ struct Vessel {
 
 /// All problems of the document at once. `name` is used in messages: a file name or an id.
 Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text);
-
-/// Whether it can name a document: 1 to 60 of a-z, 0-9 and '-'.
-bool isDocumentId(std::string_view id);
 
 }  // namespace sagara::core

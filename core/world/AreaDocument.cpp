@@ -3,7 +3,6 @@
 
 #include "core/base/Config.h"
 #include "core/base/Units.h"
-#include "core/vessel/Vessel.h"
 #include "core/world/Area.h"
 
 /// Reading of the area document. Positions are degrees in the file and frame N in the Area.
@@ -36,10 +35,7 @@ private:
     void readIdentity(Area& a) {
         m_in.text("document");
         m_in.integer("version", 1, kAreaDocumentVersion);
-        a.id = m_in.text("id");
-        if (!a.id.empty() && !isDocumentId(a.id)) {
-            m_in.problem("id", "is \"" + a.id + "\"", "letters a-z, digits and hyphens");
-        }
+        a.id = m_in.id("id");
         a.name = m_in.text("name");
         a.notice = m_in.text("notice");
         a.attribution = m_in.texts("attribution");

@@ -165,7 +165,7 @@ const char* contactKindName(ContactKind kind) {
 }
 
 ContactHull contactHull(const Hull& hull, double lateralMass_kg) {
-    ContactHull c{outlineOf(hull), 0.0, hull.lengthOverall_m, lateralMass_kg};
+    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m), 0.0, hull.lengthOverall_m, lateralMass_kg};
     for (const BodyPoint& p : c.outline) c.radius_m = std::max(c.radius_m, std::hypot(p.x_m, p.y_m));
     return c;
 }

@@ -86,5 +86,11 @@ TEST(Config, KindAndVersionAreChecked) {
     EXPECT_EQ(right.version(), 2);
 }
 
+TEST(Config, IdsAreShortAndPlain) {
+    EXPECT_TRUE(isId("patrol51"));
+    EXPECT_TRUE(isId("esso-osaka"));
+    for (const char* bad : {"", "Patrol", "a b", "../x", "a/b"}) EXPECT_FALSE(isId(bad)) << bad;
+}
+
 }  // namespace
 }  // namespace sagara::core::config

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/assess/MissionContext.h"
+#include "core/assess/Observation.h"
+#include "core/base/Config.h"
+
+namespace sagara::core {
+
+/// Progress of one task. The two numbers are the task's own notes (a time, a heading); their meaning is in its file.
+struct TaskMemory {
+    bool done = false;
+    SimTime doneAt;
+    bool begun = false;
+    double noteA = 0.0;
+    double noteB = 0.0;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.done, self.doneAt.us, self.begun, self.noteA, self.noteB);
+    }
+};
+
+/// One thing to be done, judged from observations. Immutable; progress is in TaskMemory.
+class Task {
+public:
+    Task(std::string id, std::string title) : m_id(std::move(id)), m_title(std::move(title)) {}
+    virtual ~Task() = default;
+    const std::string& id() const { return m_id; }
+    const std::string& title() const { return m_title; }
+
+    /// Called for the current task at every observation until it returns true.
+    virtual bool step(const Observation& now, TaskMemory& memory) const = 0;
+
+private:
+    std::string m_id;
+    std::string m_title;
+};
+
+/// Reads one task by its "kind": see the registry in Task.cpp.
+std::unique_ptr<const Task> readTask(const config::Node& node, const MissionContext& context);
+
+}  // namespace sagara::core

@@ -1,0 +1,45 @@
+#include "core/bridge/OwnShip.h"
+
+#include "core/motion/RungeKutta.h"
+
+namespace sagara::core {
+namespace {
+
+/// Runs the ship half ahead in calm water until her speed is steady.
+double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics) {
+    const double shaft_rps = vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::HalfAhead)];
+    Actuators actuators;
+    actuators.shaft_rps.fill(shaft_rps);
+    ShipMotion m;
+    constexpr double kStep_s = 0.5, kLongest_s = 3600.0;
+    double before_mps = -1.0;
+    for (double t = 0.0; t < kLongest_s && m.surge_mps - before_mps > 1e-5; t += kStep_s) {
+        before_mps = m.surge_mps;
+        m = rk4Step(m, kStep_s, [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+    }
+    return m.surge_mps / shaft_rps;
+}
+
+}  // namespace
+
+OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves)
+    : id(std::move(shipId)),
+      name(std::move(shipName)),
+      vessel(std::move(shipVessel)),
+      dynamics(vessel, waves),
+      hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
+      keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
+      advancePerRev_m(advancePerRevolution_m(vessel, dynamics)) {}
+
+OwnShipState startOf(const OwnShip& ship) {
+    OwnShipState s;
+    s.motion = ship.start;
+    s.autopilot.setHeading_rad = ship.start.heading_rad;
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i) {
+        s.shafts[i].order_rps = s.shafts[i].speed_rps = ship.startShafts_rps[i];
+    }
+    for (std::size_t i = 0; i < ship.lines.size(); ++i) s.lines[i] = madeFast(ship.lines[i], ship.start);
+    return s;
+}
+
+}  // namespace sagara::core

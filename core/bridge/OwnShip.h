@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/bridge/Autopilot.h"
+#include "core/bridge/ShaftControl.h"
+#include "core/bridge/SteeringGear.h"
+#include "core/motion/ShipDynamics.h"
+#include "core/world/Anchor.h"
+#include "core/world/Contact.h"
+#include "core/world/MooringLine.h"
+#include "core/world/UnderKeel.h"
+
+namespace sagara::core {
+
+/// An own ship of the exercise: her vessel and where she begins. Immutable, part of the World.
+struct OwnShip {
+    OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves);
+
+    std::string id;
+    std::string name;
+    Vessel vessel;
+    ShipDynamics dynamics;
+    ContactHull hull;
+    Keel keel;
+    ShipMotion start;
+    std::array<double, kMostShafts> startShafts_rps{};
+    double advancePerRev_m;  ///< steady speed ahead in calm water over shaft speed, from a run of the model
+    std::vector<std::string> lineIds;
+    std::vector<LineLayout> lines;  ///< made fast at the start
+
+    std::size_t shaftCount() const { return vessel.propulsion.units.size(); }
+    std::size_t anchorCount() const { return vessel.groundTackle.anchors.size(); }
+};
+
+/// What the scripted pilot remembers; see Pilot.h.
+struct PilotMemory {
+    bool engaged = false;
+    std::uint32_t step = 0;
+    std::uint32_t phase = 0;      ///< within the step
+    double since_s = 0.0;         ///< time in the phase
+    double noteA = 0.0;           ///< the step's own: see Pilot.cpp
+    double noteB = 0.0;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.engaged, self.step, self.phase, self.since_s, self.noteA, self.noteB);
+    }
+};
+
+/// Whether something of a kind is being touched and when it last was.
+struct ContactMemory {
+    bool touching = false;
+    std::int64_t lastTick = -1'000'000;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.touching, self.lastTick);
+    }
+};
+
+/// Everything about an own ship that changes. Part of State.
+struct OwnShipState {
+    ShipMotion motion;
+    SteeringGearState steering;
+    std::array<ShaftState, kMostShafts> shafts;
+    AutopilotState autopilot;
+    PilotMemory pilot;
+    std::array<LineState, kMostLines> lines;
+    std::array<AnchorState, kMostAnchors> anchors;
+    std::array<ContactMemory, kContactKinds> contacts;
+    bool aground = false;
+    double underKeel_m = 0.0;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.motion, self.steering, self.shafts, self.autopilot, self.pilot, self.lines, self.anchors, self.contacts,
+           self.aground, self.underKeel_m);
+    }
+};
+
+OwnShipState startOf(const OwnShip& ship);
+
+}  // namespace sagara::core

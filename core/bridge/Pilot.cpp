@@ -1,0 +1,201 @@
+#include "core/bridge/Pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Angle.h"
+#include "core/bridge/ShipOrders.h"
+
+namespace sagara::core {
+namespace {
+
+/// One tick of one step. Every `run` returns true when its step is done.
+class PilotTick {
+public:
+    PilotTick(const RoutePath& path, const OwnShip& ship, OwnShipState& state, NorthEast overGround_mps, double dt_s)
+        : m_path(path), m_ship(ship), m_state(state), m_memory(state.pilot), m_overGround_mps(overGround_mps), m_dt_s(dt_s) {}
+
+    bool run(const LinesStep& step) {
+        const auto order = [&](std::uint8_t mask, LineAction action) {
+            for (std::uint8_t i = 0; i < m_ship.lines.size(); ++i) {
+                if (mask & (1U << i)) obey(m_ship, m_state, LineOrder{i, action});
+            }
+        };
+        if (m_memory.phase == 0) {
+            order(step.hold, LineAction::Hold);
+            order(step.slack, LineAction::Slack);
+            order(step.heave, LineAction::Heave);
+            order(step.letGo, LineAction::LetGo);
+            enter(1);
+        }
+        return m_memory.since_s >= step.wait_s;
+    }
+
+    bool run(const RunStep& step) {
+        if (m_memory.phase == 0) {
+            // notes: heading at the start, distance run since
+            m_memory.noteA = m_state.motion.heading_rad;
+            m_memory.noteB = 0.0;
+            enter(1);
+        }
+        m_memory.noteB += m_dt_s * length(m_overGround_mps);
+        steer(step.rudder_rad);
+        for (std::uint8_t i = 0; i < m_ship.shaftCount(); ++i) shaft(i, step.shafts_rps[i]);
+        const ShipMotion& m = m_state.motion;
+        return m_memory.since_s >= step.atMost_s ||
+               (step.headingChange_rad && std::abs(m.heading_rad - m_memory.noteA) >= *step.headingChange_rad) ||
+               (step.moved_m && m_memory.noteB >= *step.moved_m) ||
+               (step.slowerThan_mps && m_memory.since_s > 5.0 && std::hypot(m.surge_mps, m.sway_mps) < *step.slowerThan_mps);
+    }
+
+    bool run(const TurnStep& step) {
+        const double error_rad = wrapPi(step.heading_rad - m_state.motion.heading_rad);
+        twist(error_rad, step.shaft_rps, 0.0);
+        constexpr double kOnHeading_rad = 5.0 * kDegree_rad, kSteady_radps = 0.6 * kDegree_rad;
+        return std::abs(error_rad) < kOnHeading_rad && std::abs(m_state.motion.yawRate_radps) < kSteady_radps;
+    }
+
+    bool run(const TrackStep& step) {
+        if (m_memory.phase == 0) {
+            m_state.autopilot.mode = AutopilotMode::Track;
+            m_state.autopilot.offTrackSum_ms = 0.0;
+            enter(1);
+        }
+        const RoutePath::Place here = m_path.at(m_state.autopilot.along_m);
+        double wanted_mps = lowestSpeed_mps(step.speeds, m_state.motion.position(), here.leg, step.cruise_mps);
+        // slow down in time for a circle ahead
+        constexpr double kBraking_mps2 = 0.025;
+        for (const SpeedZone& zone : step.speeds) {
+            if (!zone.circle) continue;
+            const double off_m = std::max(0.0, distance(m_state.motion.position(), zone.centre) - zone.radius_m);
+            wanted_mps = std::min(wanted_mps, std::sqrt(zone.speed_mps * zone.speed_mps + 2.0 * kBraking_mps2 * off_m));
+        }
+        runAt(wanted_mps);
+        const bool done = m_state.autopilot.along_m >= step.untilAlong_m;
+        if (done) steer(0.0);
+        return done;
+    }
+
+    bool run(const AnchorStep& step) {
+        switch (m_memory.phase) {
+            case 0: return approach(step);
+            case 1: return goAstern(step);
+            case 2: return veer(step);
+            default: return bringUp();
+        }
+    }
+
+private:
+    void enter(std::uint32_t phase) {
+        m_memory.phase = phase;
+        m_memory.since_s = 0.0;
+    }
+    void steer(double rudder_rad) { obey(m_ship, m_state, HelmOrder{rudder_rad}); }
+    void shaft(std::uint8_t i, double speed_rps) { obey(m_ship, m_state, ShaftOrder{i, speed_rps}); }
+
+    /// Shafts for a speed through the water, ahead or astern.
+    void runAt(double speed_mps) {
+        const double perRps_m = m_ship.advancePerRev_m;
+        const double error_mps = speed_mps - m_state.motion.surge_mps;
+        const double astern = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::SlowAstern)];
+        shaft(kAllShafts, std::max(astern, (speed_mps + 2.0 * error_mps) / perRps_m));
+    }
+
+    /// Turns the ship by her screws, with a common part of the shaft speed that works on her headway.
+    void twist(double error_rad, double most_rps, double common_rps) {
+        constexpr double kFull_rad = 20.0 * kDegree_rad, kLead_s = 8.0;
+        const double turn = std::clamp((error_rad - kLead_s * m_state.motion.yawRate_radps) / kFull_rad, -1.0, 1.0);
+        const double limit_rad = m_ship.vessel.steering.limit_rad;
+        steer(turn * limit_rad);
+        if (m_ship.shaftCount() < 2) {
+            shaft(0, std::abs(turn) > 0.2 ? most_rps : common_rps);
+            return;
+        }
+        // The astern screw is the weaker: it turns faster, so that she does not gather headway.
+        const double forPort = turn * most_rps, asternGain = 1.25;
+        const auto balanced = [&](double rps) { return rps < 0.0 ? asternGain * rps : rps; };
+        shaft(0, common_rps + balanced(forPort));
+        shaft(static_cast<std::uint8_t>(m_ship.shaftCount() - 1), common_rps + balanced(-forPort));
+    }
+
+    double alongGround_mps() const { return dot(m_overGround_mps, unitVector(m_state.motion.heading_rad)); }
+    NorthEast hawse(const AnchorStep& step) const {
+        return HeadingFrame(m_state.motion.position(), m_state.motion.heading_rad)
+            .point(m_ship.vessel.groundTackle.anchors[step.anchor].hawse);
+    }
+    /// How far the hawse has to go on the last course until it is over the place.
+    double toGo_m(const AnchorStep& step) const {
+        return dot(step.place - hawse(step), unitVector(m_path.at(m_path.length_m()).course_rad));
+    }
+
+    bool approach(const AnchorStep& step) {
+        m_state.autopilot.mode = AutopilotMode::Track;
+        constexpr double kBraking_mps2 = 0.02, kBeyond_m = 8.0;  // she falls back over the place before she lets go
+        const double left_m = toGo_m(step) + kBeyond_m;
+        runAt(std::min(step.approach_mps, std::sqrt(2.0 * kBraking_mps2 * std::max(0.0, left_m)) + 0.05));
+        if (left_m < 4.0 || alongGround_mps() < 0.05) {
+            enter(1);
+        }
+        return false;
+    }
+
+    /// Sternway at a speed over the ground, bow held up to the last course by the screws.
+    void backAt(double astern_mps) {
+        const double error_mps = -astern_mps - alongGround_mps();
+        const double dead = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAstern)];
+        const double common_rps = std::clamp(12.0 * error_mps, 1.5 * dead, -1.5 * dead);
+        twist(wrapPi(m_path.at(m_path.length_m()).course_rad - m_state.motion.heading_rad), -0.8 * dead, common_rps);
+    }
+
+    bool goAstern(const AnchorStep& step) {
+        constexpr double kSternway_mps = 0.28, kEnough_mps = 0.21;
+        backAt(kSternway_mps);
+        const bool near = distance(hawse(step), step.place) < 25.0;
+        if (alongGround_mps() < -kEnough_mps && near) {
+            obey(m_ship, m_state, AnchorOrder{step.anchor, AnchorAction::LetGo, step.firstCable_m});
+            enter(2);
+        }
+        return false;
+    }
+
+    bool veer(const AnchorStep& step) {
+        const AnchorState& anchor = m_state.anchors[step.anchor];
+        if (anchor.onBottom && anchor.status == AnchorStatus::Held) {
+            obey(m_ship, m_state, AnchorOrder{step.anchor, AnchorAction::Veer, step.cable_m});
+        }
+        const double left_m = step.cable_m - anchor.cableOut_m;
+        backAt(std::clamp(0.04 * left_m, 0.15, 0.5));
+        if (anchor.cableOut_m >= step.cable_m - 0.5) enter(3);
+        return false;
+    }
+
+    bool bringUp() {
+        steer(0.0);
+        shaft(kAllShafts, 0.0);
+        return false;  // he stays on watch
+    }
+
+    const RoutePath& m_path;
+    const OwnShip& m_ship;
+    OwnShipState& m_state;
+    PilotMemory& m_memory;
+    NorthEast m_overGround_mps;
+    double m_dt_s;
+};
+
+}  // namespace
+
+void runPilot(const PilotScript& script, const RoutePath& path, const OwnShip& ship, OwnShipState& state,
+              NorthEast overGround_mps, double dt_s) {
+    PilotMemory& memory = state.pilot;
+    if (!memory.engaged || memory.step >= script.size()) return;
+    memory.since_s += dt_s;
+    PilotTick tick(path, ship, state, overGround_mps, dt_s);
+    const bool done = std::visit([&](const auto& step) { return tick.run(step); }, script[memory.step]);
+    if (!done) return;
+    ++memory.step;
+    memory.phase = 0;
+    memory.since_s = 0.0;
+}
+
+}  // namespace sagara::core

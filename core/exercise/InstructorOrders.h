@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/exercise/Weather.h"
+
+/// Orders of the trainer, and of the events a scenario carries. Values only; see ApplyOrder.h.
+namespace sagara::core {
+
+/// New weather, from what is now; what is not given stays.
+struct WeatherOrder {
+    std::optional<double> windSpeed_mps;
+    std::optional<double> windFrom_rad;
+    std::optional<double> gustiness;
+    std::array<std::optional<WaveSystem>, kMostSwells> swells;
+    std::optional<NorthEast> current;
+    std::optional<double> visibility_m;
+    std::optional<double> rain;
+    double ramp_s = 0.0;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.windSpeed_mps, self.windFrom_rad, self.gustiness, self.swells, self.current, self.visibility_m, self.rain,
+           self.ramp_s);
+    }
+};
+
+enum class Fault : std::uint8_t { SteeringPump, SteeringJam, Engine };
+/// A fault on an own ship comes (or is mended).
+struct FaultOrder {
+    Fault fault = Fault::Engine;
+    std::uint8_t number = 0;  ///< of the engine; pumps: how many fail
+    bool mended = false;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.fault, self.number, self.mended);
+    }
+};
+
+enum class TargetAction : std::uint8_t { Appear, Remove, Stop, Resume, SetSpeed };
+struct TargetOrder {
+    std::uint32_t target = 0;
+    TargetAction action = TargetAction::Appear;
+    double speed_mps = 0.0;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.target, self.action, self.speed_mps);
+    }
+};
+
+/// Difficulty 1 to 5: weather goes over in a minute, traffic and threats come and go.
+struct DifficultyOrder {
+    std::uint8_t level = 1;
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.level);
+    }
+};
+
+/// Fires an event of the scenario, whatever its own trigger.
+struct TriggerOrder {
+    std::uint32_t event = 0;
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.event);
+    }
+};
+
+/// Ends the exercise; it is graded as it stands.
+struct FinishOrder {
+    template <typename Archive, typename Self>
+    static void fields(Archive&, Self&) {}
+};
+
+}  // namespace sagara::core

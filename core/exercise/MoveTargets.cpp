@@ -1,0 +1,39 @@
+#include "core/exercise/MoveTargets.h"
+
+#include "core/world/Hostile.h"
+
+namespace sagara::core {
+namespace {
+
+const ShipMotion& nearestOwnShip(const State& state, NorthEast p) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < state.ships.size(); ++i) {
+        if (distance(state.ships[i].motion.position(), p) < distance(state.ships[nearest].motion.position(), p)) nearest = i;
+    }
+    return state.ships[nearest].motion;
+}
+
+}  // namespace
+
+void moveTargets(const World& world, State& state, double dt_s) {
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        TargetState& target = state.targets[i];
+        if (!target.present) continue;
+        const TargetLayout& layout = world.targets[i];
+        TargetIntent intent{target.heading_rad, 0.0};
+        NorthEast drift = state.weather.now.current;
+        switch (layout.behaviour) {
+            case TargetBehaviour::Route:
+            case TargetBehaviour::Circuit: intent = followRoute(layout, target); break;
+            case TargetBehaviour::Hostile: {
+                const ShipMotion& own = nearestOwnShip(state, target.position);
+                intent = hostileIntent(layout, target, own.position(), own.heading_rad, own.surge_mps, dt_s);
+                break;
+            }
+            case TargetBehaviour::Lying: drift = {}; break;  // at anchor
+        }
+        moveTarget(layout, target, intent, drift, dt_s);
+    }
+}
+
+}  // namespace sagara::core

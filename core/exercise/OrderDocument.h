@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/Config.h"
+#include "core/exercise/Command.h"
+
+namespace sagara::core {
+
+/// Names an order can use: what the exercise has.
+struct OrderNames {
+    struct Ship {
+        std::string id;
+        std::vector<std::string> lines;
+        std::vector<std::string> shafts;
+        std::vector<std::string> anchors;
+    };
+    std::vector<Ship> ships;
+    std::vector<std::string> targets;
+    std::vector<std::string> events;
+};
+
+struct World;
+OrderNames orderNames(const World& world);
+
+/// One order from its object: "order" names the kind, "ship" the own ship (default the first). See OrderDocument.cpp for the
+/// members of each kind; README.md of this folder lists them for people.
+struct NamedOrder {
+    std::uint8_t ship = 0;
+    Order order;
+};
+std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names);
+
+/// {"height_m", "period_s", "from_deg"} and, if wanted, "gamma" and "spreading".
+WaveSystem readSwell(const config::Node& node);
+
+/// A command file: {"document": "commands", "version": 1, "commands": [{"time_s": .., "order": .., ..}]}, times not falling.
+Result<std::vector<Command>, config::Problems> loadCommands(const std::string& name, std::string_view text,
+                                                            const OrderNames& names);
+
+}  // namespace sagara::core

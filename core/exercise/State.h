@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/assess/Mission.h"
+#include "core/bridge/OwnShip.h"
+#include "core/exercise/Weather.h"
+#include "core/exercise/World.h"
+#include "core/world/Target.h"
+
+namespace sagara::core {
+
+/// Layout of the archived State. Grows with every change of its fields: an older recording is then replayed from its
+/// kinematic track.
+inline constexpr std::uint32_t kStateVersion = 1;
+
+/// Everything about an exercise that changes. A value: copy it to look ahead, to go back, to try something else.
+struct State {
+    std::int64_t tick = 0;
+    int level = 1;
+    WeatherState weather;
+    std::vector<OwnShipState> ships;
+    std::vector<TargetState> targets;
+    std::vector<std::uint8_t> fired;  ///< events of the scenario that have happened
+    Assessment assessment;            ///< of the first own ship
+    std::int64_t failedTick = -1;     ///< when the mission failed
+    bool finished = false;
+    bool stopped = false;             ///< a value was not finite
+
+    SimTime time() const { return timeOfTick(tick); }
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.tick, self.level, self.weather, self.ships, self.targets, self.fired, self.assessment, self.failedTick,
+           self.finished, self.stopped);
+    }
+};
+
+/// The exercise at its first moment. Level 1 to 5.
+State startState(const World& world, int level);
+
+/// Names the bytes of a State.
+std::uint64_t stateHash(const State& state);
+
+}  // namespace sagara::core

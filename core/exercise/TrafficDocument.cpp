@@ -1,0 +1,62 @@
+#include "core/exercise/TrafficDocument.h"
+
+#include <set>
+
+#include "core/base/Units.h"
+#include "core/assess/MissionContext.h"
+#include "core/vessel/Hull.h"
+
+namespace sagara::core {
+namespace {
+
+TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
+    config::Reader in(node);
+    TargetLayout t;
+    t.id = in.id("id");
+    t.name = in.text("name");
+    t.type = in.choice<TargetType>("type", {{"fishing", TargetType::Fishing},
+                                            {"coaster", TargetType::Coaster},
+                                            {"tanker", TargetType::Tanker},
+                                            {"container", TargetType::Container},
+                                            {"ferry", TargetType::Ferry},
+                                            {"yacht", TargetType::Yacht},
+                                            {"tug", TargetType::Tug},
+                                            {"fastCraft", TargetType::FastCraft}});
+    t.behaviour = in.choice<TargetBehaviour>("behaviour", {{"route", TargetBehaviour::Route},
+                                                           {"circuit", TargetBehaviour::Circuit},
+                                                           {"lying", TargetBehaviour::Lying},
+                                                           {"hostile", TargetBehaviour::Hostile}});
+    t.length_m = in.number("length_m", {3.0, 400.0, "m"});
+    t.beam_m = in.number("beam_m", {1.0, 70.0, "m"});
+    t.draught_m = in.number("draught_m", {0.2, 25.0, "m"});
+    t.fromLevel = in.integerOr("fromLevel", 1, 1, kLevels);
+    t.onEvent = in.flagOr("onEvent", false);
+    for (const config::Node& item : in.list("route")) {
+        config::Reader waypoint(item);
+        const NorthEast at = frame.toLocal(waypoint.geoPoint("at"));
+        t.route.push_back({at, kKnot_mps * waypoint.numberOr("speed_kn", 0.0, {0.0, 60.0, "kn"})});
+        waypoint.rejectUnknownKeys();
+    }
+    const bool moves = t.behaviour == TargetBehaviour::Route || t.behaviour == TargetBehaviour::Circuit;
+    if (in.has("route") && t.route.size() < (moves ? 2u : 1u)) {
+        in.problem("route", "has " + std::to_string(t.route.size()) + " points", moves ? "at least two" : "at least one");
+    }
+    in.rejectUnknownKeys();
+    t.outline = outlineOf(t.length_m, t.beam_m);
+    return t;
+}
+
+}  // namespace
+
+std::vector<TargetLayout> readTraffic(config::Reader& scenario, const LocalFrame& frame) {
+    std::vector<TargetLayout> targets;
+    std::set<std::string> seen;
+    for (const config::Node& node : scenario.listOr("traffic")) {
+        targets.push_back(readTarget(node, frame));
+        const std::string& id = targets.back().id;
+        if (!id.empty() && !seen.insert(id).second) node.problem("has the id \"" + id + "\" again", "each id once");
+    }
+    return targets;
+}
+
+}  // namespace sagara::core
