@@ -49,8 +49,7 @@ public:
 protected:
     Measure measure(const Observation& now, const RouteProgress& route, CriterionMemory&) const override {
         const double limit_mps = lowestSpeed_mps(m_zones, now.position, route.leg, 1e9);
-        // Waves surge a ship by a few tenths of a knot: the pen of the assessor is not finer than this.
-        constexpr double kPen_mps = 0.1;
+        constexpr double kPen_mps = 0.1 * kKnot_mps;  // the display has one decimal
         const double speed_mps = length(now.overGround_mps);
         return {speed_mps > limit_mps + kPen_mps, speed_mps, limit_mps, speed_mps - limit_mps};
     }

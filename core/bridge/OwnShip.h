@@ -71,13 +71,14 @@ struct OwnShipState {
     std::array<LineState, kMostLines> lines;
     std::array<AnchorState, kMostAnchors> anchors;
     std::array<ContactMemory, kContactKinds> contacts;
+    NorthEast shownOverGround_mps;  ///< velocity over the ground as the GPS shows it: mean of the last quarter minute
     bool aground = false;
     double underKeel_m = 0.0;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
         ar(self.motion, self.steering, self.shafts, self.autopilot, self.pilot, self.lines, self.anchors, self.contacts,
-           self.aground, self.underKeel_m);
+           self.shownOverGround_mps, self.aground, self.underKeel_m);
     }
 };
 

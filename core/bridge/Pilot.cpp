@@ -12,8 +12,8 @@ namespace {
 /// One tick of one step. Every `run` returns true when its step is done.
 class PilotTick {
 public:
-    PilotTick(const RoutePath& path, const OwnShip& ship, OwnShipState& state, NorthEast overGround_mps, double dt_s)
-        : m_path(path), m_ship(ship), m_state(state), m_memory(state.pilot), m_overGround_mps(overGround_mps), m_dt_s(dt_s) {}
+    PilotTick(const RoutePath& path, const OwnShip& ship, OwnShipState& state, double dt_s)
+        : m_path(path), m_ship(ship), m_state(state), m_memory(state.pilot), m_dt_s(dt_s) {}
 
     bool run(const LinesStep& step) {
         const auto order = [&](std::uint8_t mask, LineAction action) {
@@ -38,7 +38,7 @@ public:
             m_memory.noteB = 0.0;
             enter(1);
         }
-        m_memory.noteB += m_dt_s * length(m_overGround_mps);
+        m_memory.noteB += m_dt_s * std::hypot(m_state.motion.surge_mps, m_state.motion.sway_mps);
         steer(step.rudder_rad);
         for (std::uint8_t i = 0; i < m_ship.shaftCount(); ++i) shaft(i, step.shafts_rps[i]);
         const ShipMotion& m = m_state.motion;
@@ -50,8 +50,11 @@ public:
 
     bool run(const TurnStep& step) {
         const double error_rad = wrapPi(step.heading_rad - m_state.motion.heading_rad);
-        twist(error_rad, step.shaft_rps, 0.0);
-        constexpr double kOnHeading_rad = 5.0 * kDegree_rad, kSteady_radps = 0.6 * kDegree_rad;
+        // the way she has on is taken off at the same time
+        const double common_rps = std::clamp(-1.5 * m_state.motion.surge_mps / m_ship.advancePerRev_m,
+                                             -0.7 * step.shaft_rps, 0.7 * step.shaft_rps);
+        twist(error_rad, step.shaft_rps, common_rps);
+        constexpr double kOnHeading_rad = 8.0 * kDegree_rad, kSteady_radps = 1.2 * kDegree_rad;
         return std::abs(error_rad) < kOnHeading_rad && std::abs(m_state.motion.yawRate_radps) < kSteady_radps;
     }
 
@@ -64,10 +67,11 @@ public:
         const RoutePath::Place here = m_path.at(m_state.autopilot.along_m);
         double wanted_mps = lowestSpeed_mps(step.speeds, m_state.motion.position(), here.leg, step.cruise_mps);
         // slow down in time for a circle ahead
-        constexpr double kBraking_mps2 = 0.025;
+        constexpr double kBraking_mps2 = 0.03, kEarly_m = 50.0;  // the GPS shows the speed of a while ago
         for (const SpeedZone& zone : step.speeds) {
             if (!zone.circle) continue;
-            const double off_m = std::max(0.0, distance(m_state.motion.position(), zone.centre) - zone.radius_m);
+            const double edge_m = distance(m_state.motion.position(), zone.centre) - zone.radius_m;
+            const double off_m = std::max(0.0, edge_m - kEarly_m);
             wanted_mps = std::min(wanted_mps, std::sqrt(zone.speed_mps * zone.speed_mps + 2.0 * kBraking_mps2 * off_m));
         }
         runAt(wanted_mps);
@@ -93,12 +97,14 @@ private:
     void steer(double rudder_rad) { obey(m_ship, m_state, HelmOrder{rudder_rad}); }
     void shaft(std::uint8_t i, double speed_rps) { obey(m_ship, m_state, ShaftOrder{i, speed_rps}); }
 
-    /// Shafts for a speed through the water, ahead or astern.
+    /// Shafts for a speed over the ground; note B gathers what wind and waves take.
     void runAt(double speed_mps) {
-        const double perRps_m = m_ship.advancePerRev_m;
-        const double error_mps = speed_mps - m_state.motion.surge_mps;
+        constexpr double kGain = 1.2, kIntegralTime_s = 60.0, kMostIntegral_mps = 0.5;
+        const double error_mps = speed_mps - waySpeed_mps();
+        if (std::abs(error_mps) < 0.5) m_memory.noteB += error_mps * m_dt_s / kIntegralTime_s;
+        m_memory.noteB = std::clamp(m_memory.noteB, -kMostIntegral_mps, kMostIntegral_mps);
         const double astern = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::SlowAstern)];
-        shaft(kAllShafts, std::max(astern, (speed_mps + 2.0 * error_mps) / perRps_m));
+        shaft(kAllShafts, std::max(astern, (speed_mps + m_memory.noteB + kGain * error_mps) / m_ship.advancePerRev_m));
     }
 
     /// Turns the ship by her screws, with a common part of the shaft speed that works on her headway.
@@ -118,7 +124,9 @@ private:
         shaft(static_cast<std::uint8_t>(m_ship.shaftCount() - 1), common_rps + balanced(-forPort));
     }
 
-    double alongGround_mps() const { return dot(m_overGround_mps, unitVector(m_state.motion.heading_rad)); }
+    /// Between log and GPS: the one moves with every wave, the other comes late.
+    double waySpeed_mps() const { return 0.5 * (m_state.motion.surge_mps + alongGround_mps()); }
+    double alongGround_mps() const { return dot(m_state.shownOverGround_mps, unitVector(m_state.motion.heading_rad)); }
     NorthEast hawse(const AnchorStep& step) const {
         return HeadingFrame(m_state.motion.position(), m_state.motion.heading_rad)
             .point(m_ship.vessel.groundTackle.anchors[step.anchor].hawse);
@@ -141,9 +149,9 @@ private:
 
     /// Sternway at a speed over the ground, bow held up to the last course by the screws.
     void backAt(double astern_mps) {
-        const double error_mps = -astern_mps - alongGround_mps();
+        const double error_mps = -astern_mps - waySpeed_mps();
         const double dead = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAstern)];
-        const double common_rps = std::clamp(12.0 * error_mps, 1.5 * dead, -1.5 * dead);
+        const double common_rps = std::clamp(6.0 * error_mps, 1.5 * dead, -1.5 * dead);
         twist(wrapPi(m_path.at(m_path.length_m()).course_rad - m_state.motion.heading_rad), -0.8 * dead, common_rps);
     }
 
@@ -163,9 +171,15 @@ private:
         if (anchor.onBottom && anchor.status == AnchorStatus::Held) {
             obey(m_ship, m_state, AnchorOrder{step.anchor, AnchorAction::Veer, step.cable_m});
         }
-        const double left_m = step.cable_m - anchor.cableOut_m;
-        backAt(std::clamp(0.04 * left_m, 0.15, 0.5));
-        if (anchor.cableOut_m >= step.cable_m - 0.5) enter(3);
+        // The cable is laid out along the ground, not piled up: she goes on until it has come up and pulls.
+        const double hanging_m = m_state.underKeel_m + m_ship.vessel.hull.draught_m;
+        const double reach_m = std::sqrt(std::max(1.0, step.cable_m * step.cable_m - hanging_m * hanging_m));
+        const double left_m = reach_m - 4.0 - distance(hawse(step), anchor.position);
+        constexpr double kLag_s = 8.0;  // of the ship and of the GPS
+        backAt(std::clamp(0.035 * (left_m + kLag_s * alongGround_mps()), 0.1, 0.8));
+        const bool out = anchor.status == AnchorStatus::Held && anchor.cableOut_m >= step.cable_m - 0.5;
+        constexpr double kBroughtUp_N = 3000.0;
+        if (out && (left_m < 2.0 || anchor.pull_N > kBroughtUp_N)) enter(3);
         return false;
     }
 
@@ -179,23 +193,19 @@ private:
     const OwnShip& m_ship;
     OwnShipState& m_state;
     PilotMemory& m_memory;
-    NorthEast m_overGround_mps;
     double m_dt_s;
 };
 
 }  // namespace
 
-void runPilot(const PilotScript& script, const RoutePath& path, const OwnShip& ship, OwnShipState& state,
-              NorthEast overGround_mps, double dt_s) {
+void runPilot(const PilotScript& script, const RoutePath& path, const OwnShip& ship, OwnShipState& state, double dt_s) {
     PilotMemory& memory = state.pilot;
     if (!memory.engaged || memory.step >= script.size()) return;
     memory.since_s += dt_s;
-    PilotTick tick(path, ship, state, overGround_mps, dt_s);
+    PilotTick tick(path, ship, state, dt_s);
     const bool done = std::visit([&](const auto& step) { return tick.run(step); }, script[memory.step]);
     if (!done) return;
-    ++memory.step;
-    memory.phase = 0;
-    memory.since_s = 0.0;
+    memory = PilotMemory{true, memory.step + 1, 0, 0.0, 0.0, 0.0};
 }
 
 }  // namespace sagara::core

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "core/exercise/MoveShip.h"
-#include "core/exercise/Observe.h"
 
 namespace sagara::core {
 namespace {
@@ -51,7 +50,7 @@ void DeckWatch::report(const World& world, const State& state, std::vector<Event
         for (std::size_t k = 0; k < world.ships[i]->anchorCount(); ++k) {
             const AnchorState& a = s.anchors[k];
             const NorthEast hawse = frame.point(world.ships[i]->vessel.groundTackle.anchors[k].hawse);
-            const double ahead_mps = dot(overGround_mps(s, state.weather.now.current), unitVector(s.motion.heading_rad));
+            const double ahead_mps = dot(s.shownOverGround_mps, unitVector(s.motion.heading_rad));
             if (before.anchors[k] == AnchorStatus::Home && a.status != AnchorStatus::Home) {
                 add(EventKind::AnchorLetGo, k, hawse, ahead_mps);
             }

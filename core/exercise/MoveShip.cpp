@@ -36,8 +36,8 @@ void addShips(const World& world, const State& state, std::size_t index, Obstacl
     }
 }
 
-Actuators runMachinery(const World& world, const OwnShip& ship, OwnShipState& s, NorthEast overGround) {
-    runPilot(world.pilot, world.path, ship, s, overGround, kTick_s);
+Actuators runMachinery(const World& world, const OwnShip& ship, OwnShipState& s) {
+    runPilot(world.pilot, world.path, ship, s, kTick_s);
     s.steering.order_rad =
         steerAutopilot_rad(ship.vessel, world.path, s.motion, s.autopilot, s.steering.order_rad, kTick_s);
     Actuators actuators;
@@ -113,7 +113,7 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
     const OwnShip& ship = *world.ships[index];
     OwnShipState& s = state.ships[index];
     const NorthEast current = state.weather.now.current, ground = overGround_mps(s, current);
-    const Actuators actuators = runMachinery(world, ship, s, ground);
+    const Actuators actuators = runMachinery(world, ship, s);
 
     // Waves and wind act for the whole tick as they are in its middle; what is stiff is worked out in every stage.
     const HeadingFrame frame({}, s.motion.heading_rad);
@@ -150,6 +150,9 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
         return;
     }
 
+    constexpr double kGpsMean_s = 15.0;  // over a wave or two: a swell surges a ship by half a knot
+    s.shownOverGround_mps =
+        s.shownOverGround_mps + (kTick_s / kGpsMean_s) * (overGround_mps(s, current) - s.shownOverGround_mps);
     for (std::size_t k = 0; k < ship.lines.size(); ++k) {
         workLine(ship.vessel.mooring, ship.lines[k], s.lines[k], s.motion, kTick_s);
     }

@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kFallSpeed_mps = 4.0;       // anchor and cable falling free through the water
 constexpr double kRunSpeed_mps = 1.5;        // cable running out after the anchor, brake off
-constexpr double kVeerUnderLoad_mps = 0.6;   // cable veered on the brake when the ship pulls
-constexpr double kVeerLoad_N = 1500.0;       // horizontal pull that makes it run
+constexpr double kVeerSpeed_mps = 0.8;       // cable veered on the brake: its own weight runs it out
 constexpr double kSubmerged = 1.0 - kSeaWaterDensity_kgpm3 / 7850.0;  // weight of steel in water over that in air
 constexpr double kCableFriction = 1.0;       // on sand and mud
 constexpr double kDigIn_m = 4.0;             // dragged until the flukes hold fully
@@ -25,7 +24,7 @@ double cableWeight_Npm(const AnchorGear& gear) { return kSubmerged * gear.cableM
 double cableSpeed_mps(const AnchorGear& gear, const AnchorState& anchor) {
     switch (anchor.status) {
         case AnchorStatus::Running: return anchor.onBottom ? kRunSpeed_mps : kFallSpeed_mps;
-        case AnchorStatus::Veering: return anchor.pull_N > kVeerLoad_N ? kVeerUnderLoad_mps : gear.heaveSpeed_mps;
+        case AnchorStatus::Veering: return kVeerSpeed_mps;
         case AnchorStatus::Heaving: return -gear.heaveSpeed_mps;
         default: return 0.0;
     }
