@@ -70,7 +70,7 @@ ShorelineRules readShoreline(const Node& node) {
 
 TideRules readTide(const Node& node) {
     Reader in(node);
-    const TideRules r{in.text("file"), in.text("source"), in.number("leastAmplitude_m", {0.0, 1.0, "m"})};
+    TideRules r{in.text("file"), in.text("source"), in.number("leastAmplitude_m", {0.0, 1.0, "m"})};
     in.rejectUnknownKeys();
     return r;
 }
@@ -103,7 +103,7 @@ BedRules readBed(const Node& node) {
 
 Sounding readSounding(const Node& node) {
     Reader in(node);
-    const Sounding s{in.geoPoint("at"), in.number("depth_m", {0.1, 1000.0, "m"}), in.text("source")};
+    Sounding s{in.geoPoint("at"), in.number("depth_m", {0.1, 1000.0, "m"}), in.text("source")};
     in.rejectUnknownKeys();
     return s;
 }

@@ -13,7 +13,7 @@ using core::config::Reader;
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
-void keepOrName(TideConstants& tide, TideConstants::Constituent c, double leastAmplitude_m) {
+void keepOrName(TideConstants& tide, const TideConstants::Constituent& c, double leastAmplitude_m) {
     if (!core::isTidalConstituent(c.name)) {
         tide.unknown.push_back(c.name);
     } else if (c.amplitude_m < leastAmplitude_m) {
