@@ -178,15 +178,20 @@ private:
         constexpr double kLag_s = 8.0;  // of the ship and of the GPS
         backAt(std::clamp(0.035 * (left_m + kLag_s * alongGround_mps()), 0.1, 0.8));
         const bool out = anchor.status == AnchorStatus::Held && anchor.cableOut_m >= step.cable_m - 0.5;
-        constexpr double kBroughtUp_N = 3000.0;
-        if (out && (left_m < 2.0 || anchor.pull_N > kBroughtUp_N)) enter(3);
+        constexpr double kBroughtUp_N = 1500.0;
+        if (out && (left_m < 5.0 || anchor.pull_N > kBroughtUp_N)) enter(3);
         return false;
     }
 
+    /// A touch ahead or astern takes the way off her while she settles; then the engines stop and he stays on watch.
     bool bringUp() {
+        constexpr double kSettling_s = 180.0, kStill_mps = 0.05, kTouch_rpsPerMps = 4.0;
+        const double dead = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAhead)];
+        const double along_mps = alongGround_mps();
+        const bool touch = m_memory.since_s < kSettling_s && std::abs(along_mps) > kStill_mps;
         steer(0.0);
-        shaft(kAllShafts, 0.0);
-        return false;  // he stays on watch
+        shaft(kAllShafts, touch ? std::clamp(-kTouch_rpsPerMps * along_mps, -dead, dead) : 0.0);
+        return false;
     }
 
     const RoutePath& m_path;
