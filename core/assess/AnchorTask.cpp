@@ -18,7 +18,8 @@ struct AnchorGoal {
     double weather_rad;
 };
 
-/// Notes: A is the time (s) since when she has been slow, B since when the anchor has not moved; both restart.
+/// Notes: A is the time (s) since when she has stayed about the noted place, B since when the anchor has not moved; both
+/// restart.
 class AnchorTask final : public Task {
 public:
     AnchorTask(std::string id, std::string title, const AnchorGoal& goal)
@@ -33,10 +34,14 @@ public:
         if (!anchor || !memory.begun) {
             memory.begun = anchor != nullptr;
             memory.noteA = memory.noteB = time_s;
+            memory.notedPlace = now.position;
             return false;
         }
         constexpr double kMoved_mps = 0.02;
-        if (length(now.overGround_mps) > m_goal.speed_mps) memory.noteA = time_s;
+        if (distance(now.position, memory.notedPlace) > m_goal.speed_mps * m_goal.still_s) {
+            memory.noteA = time_s;
+            memory.notedPlace = now.position;
+        }
         if (anchor->dragSpeed_mps > kMoved_mps) memory.noteB = time_s;
         const double shackleSlack_m = 0.05 * kShackle_m;  // the mark on the cable is read to a twentieth
         return distance(anchor->position, m_goal.place) <= m_goal.within_m &&
@@ -61,7 +66,7 @@ std::unique_ptr<const Task> makeAnchorTask(std::string id, std::string title, co
     goal.leastCable_m = kShackle_m * shackles[0];
     goal.mostCable_m = kShackle_m * shackles[1];
     goal.speed_mps = kKnot_mps * in.number("speed_kn", {0.05, 3.0, "kn"});
-    goal.still_s = in.number("still_s", {0.0, 1800.0, "s"});
+    goal.still_s = in.number("still_s", {1.0, 1800.0, "s"});
     goal.hold_s = in.number("hold_s", {0.0, 1800.0, "s"});
     goal.weather_rad = kDegree_rad * in.number("weather_deg", {5.0, 180.0, "deg"});
     return std::make_unique<AnchorTask>(std::move(id), std::move(title), goal);

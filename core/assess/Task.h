@@ -9,17 +9,18 @@
 
 namespace sagara::core {
 
-/// Progress of one task. The two numbers are the task's own notes (a time, a heading); their meaning is in its file.
+/// Progress of one task. The notes (a time, a heading, a place) are the task's own; their meaning is in its file.
 struct TaskMemory {
     bool done = false;
     SimTime doneAt;
     bool begun = false;
     double noteA = 0.0;
     double noteB = 0.0;
+    NorthEast notedPlace;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.done, self.doneAt.us, self.begun, self.noteA, self.noteB);
+        ar(self.done, self.doneAt.us, self.begun, self.noteA, self.noteB, self.notedPlace);
     }
 };
 
