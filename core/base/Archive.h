@@ -25,7 +25,7 @@ using Bytes = std::vector<std::byte>;
 
 namespace detail {
 template <typename T>
-concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;  // std::byte is an enumeration; vector<bool> is not used
 }
 
 /// Sink is called with a span of bytes.
@@ -55,7 +55,11 @@ private:
     template <typename T>
     void write(const std::vector<T>& list) {
         write(static_cast<std::uint32_t>(list.size()));
-        for (const T& item : list) write(item);
+        if constexpr (detail::Scalar<T>) {
+            m_sink(std::as_bytes(std::span(list)));
+        } else {
+            for (const T& item : list) write(item);
+        }
     }
     template <typename T, std::size_t N>
     void write(const std::array<T, N>& list) {
@@ -119,9 +123,16 @@ private:
     template <typename T>
     void read(std::vector<T>& list) {
         list.clear();
-        const std::uint32_t size = readSize(1);  // every item takes a byte at least
-        for (std::uint32_t i = 0; i < size && m_ok; ++i) read(list.emplace_back());
-        if (!m_ok) list.clear();
+        if constexpr (detail::Scalar<T>) {
+            const std::uint32_t size = readSize(sizeof(T));
+            list.resize(size);
+            if (size > 0) std::memcpy(list.data(), m_rest.data(), size * sizeof(T));
+            m_rest = m_rest.subspan(size * sizeof(T));
+        } else {
+            const std::uint32_t size = readSize(1);  // every item takes a byte at least
+            for (std::uint32_t i = 0; i < size && m_ok; ++i) read(list.emplace_back());
+            if (!m_ok) list.clear();
+        }
     }
     template <typename T, std::size_t N>
     void read(std::array<T, N>& list) {
@@ -151,7 +162,7 @@ private:
     std::uint32_t readSize(std::size_t itemBytes) {
         std::uint32_t size = 0;
         read(size);
-        return take(size * itemBytes) ? size : 0;
+        return take(static_cast<std::size_t>(size) * itemBytes) ? size : 0;
     }
     bool take(std::size_t bytes) {
         if (bytes > m_rest.size()) fail();

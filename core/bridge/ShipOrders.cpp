@@ -21,7 +21,9 @@ void obey(const OwnShip& ship, OwnShipState& state, const HelmOrder& order) {
 }
 
 void obey(const OwnShip& ship, OwnShipState& state, const TelegraphOrder& order) {
-    const double speed_rps = ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(order.step)];
+    const auto step = static_cast<std::size_t>(order.step);
+    if (step >= kTelegraphSteps) return;
+    const double speed_rps = ship.vessel.propulsion.telegraph_rps[step];
     forShafts(ship, state, order.shaft, [&](ShaftState& shaft) { shaft.order_rps = speed_rps; });
 }
 

@@ -182,6 +182,7 @@ Result<std::vector<Command>, config::Problems> loadCommands(const std::string& n
     in.text("document");
     in.integer("version", 1, 1);
     in.textOr("about", "");
+    in.textOr("scenario", "");
     std::vector<Command> commands;
     double last_s = 0.0;
     for (const config::Node& node : in.list("commands")) {

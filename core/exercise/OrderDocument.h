@@ -36,7 +36,8 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
 /// {"height_m", "period_s", "from_deg"} and, if wanted, "gamma" and "spreading".
 WaveSystem readSwell(const config::Node& node);
 
-/// A command file: {"document": "commands", "version": 1, "commands": [{"time_s": .., "order": .., ..}]}, times not falling.
+/// A command file: {"document": "commands", "version": 1, "scenario": id, "commands": [{"time_s": .., "order": .., ..}]}, times
+/// not falling. The scenario is for people and for checking the file; any that has the names will do.
 Result<std::vector<Command>, config::Problems> loadCommands(const std::string& name, std::string_view text,
                                                             const OrderNames& names);
 

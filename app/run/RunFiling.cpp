@@ -1,0 +1,122 @@
+#include "app/run/RunFiling.h"
+
+#include <cmath>
+
+#include "app/run/Files.h"
+#include "app/run/GradeRecording.h"
+#include "core/exercise/Replay.h"
+#include "db/PersonRepository.h"
+#include "db/RunRepository.h"
+
+namespace sagara::run {
+namespace fs = std::filesystem;
+namespace {
+
+/// Does something with the database; the message of what went wrong, or empty.
+template <typename Do>
+std::string attempt(Store& store, Do&& act) {
+    if (!store.database()) return store.trouble();
+    try {
+        act(*store.database());
+        return {};
+    } catch (const db::DbError& e) {
+        return e.what();
+    }
+}
+
+std::optional<db::PersonId> personOf(db::Database& database, const std::string& name) {
+    if (name.empty()) return std::nullopt;
+    db::PersonRepository people(database);
+    if (const auto known = people.findByName(name)) return known->id;
+    const auto added = people.add(name, db::Role::Trainee, now());
+    return added ? std::optional(added.value()) : std::nullopt;
+}
+
+db::EndedRun endedRun(const db::NewRun& run, const RunSummary& summary, bool finished) {
+    db::EndedRun ended;
+    ended.start = run;
+    ended.result.status = finished ? db::RunStatus::Finished : db::RunStatus::Aborted;
+    ended.result.finished = now();
+    ended.result.simTime = {std::llround(summary.simTime_s * 1e6)};
+    ended.result.stateHash = std::stoull(summary.stateHash, nullptr, 16);
+    db::Grade grade;
+    grade.score = summary.score;
+    grade.passed = summary.passed;
+    grade.tasks = tasksJson(summary);
+    grade.deductions = deductionsJson(summary);
+    grade.made = now();
+    ended.grade = grade;
+    return ended;
+}
+
+}  // namespace
+
+db::NewRun RunFiling::newRun(const core::RecordingHeader& header, const core::World& world, const fs::path& recording) {
+    db::NewRun run;
+    run.scenarioKey = world.scenarioId;
+    run.scenarioName = world.scenarioName;
+    run.type = db::parseRunType(header.runType).value_or(db::RunType::Train);
+    run.level = header.level;
+    run.seed = header.seed;
+    run.buildId = header.buildId;
+    run.started = {header.startedUnix_s};
+    run.recordingFile = m_store.folder().nameOf(recording);
+    attempt(m_store, [&](db::Database& database) { run.person = personOf(database, header.trainee); });
+    return run;
+}
+
+std::string RunFiling::begin(const db::NewRun& run) {
+    return attempt(m_store, [&](db::Database& database) {
+        db::RunRepository runs(database);
+        if (!runs.findByRecording(run.recordingFile)) runs.start(run);
+    });
+}
+
+std::string RunFiling::end(const db::NewRun& run, const RunSummary& summary, bool finished) {
+    const std::string failed =
+        attempt(m_store, [&](db::Database& database) { db::fileRun(database, endedRun(run, summary, finished)); });
+    if (failed.empty()) return {};
+    return failed + "\n" + note(run.recordingFile);
+}
+
+std::string RunFiling::note(const std::string& recordingName) {
+    const fs::path recording = m_store.folder().pathOf(recordingName);
+    const fs::path notePath = m_store.folder().recordings() / (recording.filename().string() + ".unfiled");
+    const auto failed = writeTextFile(notePath, recordingName + "\n");
+    if (failed) return "The run is kept in " + recording.string() + " but could not be noted for filing: " + failed->message;
+    return "The run is kept in " + recording.string() + " and will be filed at a later start.";
+}
+
+std::string RunFiling::fileFromRecording(const fs::path& path) {
+    auto bytes = readBinaryFile(path);
+    if (!bytes) return bytes.error().message;
+    const auto recording = core::readRecording(*bytes);
+    if (!recording) return path.string() + ": " + recording.error();
+    const auto world = core::worldOf(*recording);
+    if (!world) return world.error().text();
+    const RunSummary summary = gradeRecording(**world, *recording, recording->endTick);
+    const db::NewRun run = newRun(recording->header, **world, path);
+    return attempt(m_store, [&](db::Database& database) {
+        db::fileRun(database, endedRun(run, summary, recording->end && recording->end->finished));
+    });
+}
+
+std::vector<std::string> RunFiling::fileNoted() {
+    std::vector<std::string> messages;
+    if (!m_store.database()) return messages;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(m_store.folder().recordings(), ignored)) {
+        if (entry.path().extension() != ".unfiled") continue;
+        auto name = readTextFile(entry.path());
+        if (!name) continue;
+        std::string recording = std::move(name).value();
+        while (!recording.empty() && recording.back() == '\n') recording.pop_back();
+        const std::string failed = fileFromRecording(m_store.folder().pathOf(recording));
+        if (failed.empty()) fs::remove(entry.path(), ignored);
+        messages.push_back(failed.empty() ? "Filed the earlier run " + recording + "."
+                                          : "The earlier run " + recording + " still cannot be filed: " + failed);
+    }
+    return messages;
+}
+
+}  // namespace sagara::run

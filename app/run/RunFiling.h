@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/run/RunSummary.h"
+#include "app/run/Store.h"
+#include "core/exercise/Recording.h"
+#include "db/FileRun.h"
+
+namespace sagara::run {
+
+/// Enters runs into the database. None of these throws or stops a run: what cannot be filed is noted beside the recordings
+/// (recordings/*.unfiled) and filed by a later start.
+class RunFiling {
+public:
+    explicit RunFiling(Store& store) : m_store(store) {}
+
+    /// What can be told of a run before it begins. Names the trainee, who is added to the roster when new.
+    db::NewRun newRun(const core::RecordingHeader& header, const core::World& world, const std::filesystem::path& recording);
+    /// Marks it as running. Returns a message when that failed.
+    std::string begin(const db::NewRun& run);
+    /// Enters its end and grade, or notes the recording for later and says so.
+    std::string end(const db::NewRun& run, const RunSummary& summary, bool finished);
+
+    /// Files the runs noted earlier. One message for each that was filed or still cannot be.
+    std::vector<std::string> fileNoted();
+
+private:
+    std::string note(const std::string& recordingName);
+    std::string fileFromRecording(const std::filesystem::path& recording);
+
+    Store& m_store;
+};
+
+}  // namespace sagara::run

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/AssetSource.h"
+#include "core/base/Utc.h"
+#include "core/exercise/Documents.h"
+#include "db/DataFolder.h"
+#include "db/Database.h"
+
+namespace sagara::run {
+
+/// The installation as a program sees it: data folder, database and shipped documents. At its first start the database
+/// takes in assets/; later it takes in what a newer Sagara ships, unless the user has a document of that name of his own.
+///
+/// A database that cannot be used (locked, damaged, newer, read-only, full) does not stop a run: the documents then come
+/// from assets/, `trouble` says what is the matter, and the run is filed later from its recording.
+class Store final : public core::DocumentSource {
+public:
+    /// The error is for the person who chose the folder.
+    static core::Result<std::unique_ptr<Store>, std::string> open(const std::optional<std::filesystem::path>& dataFolder);
+
+    std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override;
+
+    const db::DataFolder& folder() const { return m_folder; }
+    db::Database* database() const { return m_database.get(); }  ///< null when it cannot be used
+    const std::string& trouble() const { return m_trouble; }
+
+private:
+    explicit Store(db::DataFolder folder) : m_folder(std::move(folder)), m_assets(assetFolder()) {}
+    void openDatabase();
+    void takeInAssets();
+
+    db::DataFolder m_folder;
+    AssetSource m_assets;
+    std::unique_ptr<db::Database> m_database;
+    std::string m_trouble;
+};
+
+/// The wall clock.
+core::Utc now();
+
+/// A scenario by id, or by the name of a file. Problems of the file are its reader's; here only whether there is a text.
+core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source, const std::string& idOrFile);
+
+}  // namespace sagara::run

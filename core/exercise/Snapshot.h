@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "core/assess/Observation.h"
+#include "core/exercise/State.h"
+
+namespace sagara::core {
+
+/// One own ship as observers may see her.
+struct OwnShipView {
+    ShipMotion motion;
+    NorthEast overGround_mps;
+    double rudder_rad = 0.0;
+    double rudderOrder_rad = 0.0;
+    std::vector<double> shafts_rps;
+    std::vector<double> shaftOrders_rps;
+    AutopilotState autopilot;
+    bool pilotEngaged = false;
+    std::vector<LineState> lines;
+    std::vector<AnchorState> anchors;
+    double underKeel_m = 0.0;
+    bool aground = false;
+};
+
+/// One traffic ship that is there. She rides the long waves like a cork of her length.
+struct TargetView {
+    std::size_t index = 0;  ///< in World::targets
+    NorthEast position;
+    double down_m = 0.0;
+    double roll_rad = 0.0;
+    double pitch_rad = 0.0;
+    double heading_rad = 0.0;
+    double speed_mps = 0.0;
+    double yawRate_radps = 0.0;
+};
+
+struct TaskView {
+    bool done = false;
+    SimTime doneAt;
+};
+
+/// What may be seen of a running exercise at one tick. Immutable once made; shared by all observers.
+struct Snapshot {
+    std::int64_t tick = 0;
+    int level = 1;
+    std::vector<OwnShipView> ships;
+    std::vector<TargetView> targets;
+    Weather weather;
+    WindVelocity wind;   ///< with its gusts, at this moment
+    SeaState sea;        ///< with World::waves all there is to draw
+    double tide_m = 0.0; ///< above chart datum
+    std::vector<TaskView> tasks;
+    double score = 100.0;
+    bool failed = false;
+    bool finished = false;
+
+    SimTime time() const { return timeOfTick(tick); }
+};
+
+Snapshot view(const World& world, const State& state);
+
+}  // namespace sagara::core
