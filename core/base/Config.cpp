@@ -76,7 +76,7 @@ bool Document::isKind(std::string_view kind, int newestVersion) {
     return m_problems.size() == before;
 }
 
-Reader::Reader(Node node) : m_node(std::move(node)) {
+Reader::Reader(Node node) : m_node(std::move(node)), m_problemsBefore(m_node.m_problems->size()) {
     if (m_node.m_json && !m_node.m_json->is_object()) {
         m_node.problem("is " + quoted(*m_node.m_json), "an object");
         m_node.m_json = nullptr;
@@ -250,6 +250,8 @@ std::size_t Reader::choiceIndex(std::string_view key, std::span<const char* cons
     problem(key, "is " + quoted(*value), "one of " + join(names));
     return names.size();
 }
+
+bool Reader::sound() const { return m_node.m_problems->size() == m_problemsBefore; }
 
 void Reader::rejectUnknownKeys() {
     if (!m_node.m_json) return;

@@ -115,6 +115,8 @@ public:
     }
 
     void problem(std::string_view key, std::string found, std::string expected);
+    /// Whether nothing has been wrong since this reader was made: whether it makes sense to compare its values.
+    bool sound() const;
     void rejectUnknownKeys();
 
 private:
@@ -127,6 +129,7 @@ private:
     std::vector<Node> items(const nlohmann::json* array, std::string_view key);
 
     Node m_node;
+    std::size_t m_problemsBefore;
     std::set<std::string, std::less<>> m_known;
 };
 

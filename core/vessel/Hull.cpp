@@ -58,7 +58,7 @@ Hull readHull(config::Reader& in) {
     h.rollGyradius_m = in.number("rollGyradius_m", {0.1, 40.0, "m"});
     h.pitchGyradius_m = in.number("pitchGyradius_m", {0.5, 150.0, "m"});
     h.provenance = readProvenance(in);
-    checkForm(in, h);
+    if (in.sound()) checkForm(in, h);
     in.rejectUnknownKeys();
     return h;
 }
