@@ -36,7 +36,8 @@ inline NorthEast operator*(double s, NorthEast a) { return {s * a.north_m, s * a
 inline double dot(NorthEast a, NorthEast b) { return a.north_m * b.north_m + a.east_m * b.east_m; }
 /// Positive when b lies clockwise (to starboard) of a.
 inline double cross(NorthEast a, NorthEast b) { return a.north_m * b.east_m - a.east_m * b.north_m; }
-inline double length(NorthEast a) { return std::hypot(a.north_m, a.east_m); }
+/// By the square root: std::hypot guards against overflow that metres never reach, and is ten times slower.
+inline double length(NorthEast a) { return std::sqrt(dot(a, a)); }
 inline double distance(NorthEast a, NorthEast b) { return length(b - a); }
 /// Clockwise from true north; 0 for a zero vector.
 inline double bearing_rad(NorthEast from, NorthEast to) {

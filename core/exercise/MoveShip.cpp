@@ -23,14 +23,14 @@ void addShips(const World& world, const State& state, std::size_t index, Obstacl
         const TargetState& t = state.targets[i];
         const TargetLayout& layout = world.targets[i];
         if (!t.present || distance(t.position, here) > own.hull.radius_m + layout.length_m) continue;
-        obstacles.ships.add({layout.outline, t.position, t.heading_rad, t.velocity(), layout.mass_kg(), static_cast<std::int32_t>(i)});
+        obstacles.ships.add({layout.outline, {0.5 * layout.length_m, 0.5 * layout.beam_m}, t.position, t.heading_rad, t.velocity(), layout.mass_kg(), static_cast<std::int32_t>(i)});
     }
     for (std::size_t i = 0; i < state.ships.size(); ++i) {
         if (i == index) continue;
         const OwnShip& other = *world.ships[i];
         const OwnShipState& s = state.ships[i];
         if (distance(s.motion.position(), here) > own.hull.radius_m + other.hull.radius_m) continue;
-        obstacles.ships.add({other.hull.outline, s.motion.position(), s.motion.heading_rad,
+        obstacles.ships.add({other.hull.outline, other.hull.halfSize, s.motion.position(), s.motion.heading_rad,
                              overGround_mps(s, state.weather.now.current), other.hull.lateralMass_kg,
                              -1 - static_cast<std::int32_t>(i)});
     }

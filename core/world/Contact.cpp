@@ -36,8 +36,8 @@ ContactKind kindOf(ShoreKind kind) {
     }
 }
 
-bool inBox(BodyPoint p, const ContactHull& hull, double margin_m) {
-    return std::abs(p.x_m) < 0.5 * hull.length_m + margin_m && std::abs(p.y_m) < 0.5 * hull.length_m + margin_m;
+bool inBox(BodyPoint p, BodyPoint halfSize, double margin_m) {
+    return std::abs(p.x_m) < halfSize.x_m + margin_m && std::abs(p.y_m) < halfSize.y_m + margin_m;
 }
 
 /// Nearest point of a closed outline to p and whether p is inside.
@@ -48,6 +48,7 @@ struct OutlineHit {
 };
 OutlineHit hitOutline(std::span<const BodyPoint> outline, BodyPoint p) {
     OutlineHit hit;
+    double least_m2 = 1e18;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
         const BodyPoint a = outline[j], b = outline[i];
         if ((a.y_m > p.y_m) != (b.y_m > p.y_m)) {
@@ -55,12 +56,13 @@ OutlineHit hitOutline(std::span<const BodyPoint> outline, BodyPoint p) {
             if (p.x_m < x_m) hit.inside = !hit.inside;
         }
         const NorthEast nearest = nearestPoint({{a.x_m, a.y_m}, {b.x_m, b.y_m}}, {p.x_m, p.y_m});
-        const double d_m = std::hypot(nearest.north_m - p.x_m, nearest.east_m - p.y_m);
-        if (d_m < hit.distance_m) {
-            hit.distance_m = d_m;
+        const NorthEast off = nearest - NorthEast{p.x_m, p.y_m};
+        if (dot(off, off) < least_m2) {
+            least_m2 = dot(off, off);
             hit.nearest = {nearest.north_m, nearest.east_m};
         }
     }
+    hit.distance_m = std::sqrt(least_m2);
     return hit;
 }
 
@@ -86,6 +88,7 @@ void visitShore(const Obstacles& obstacles, const ContactHull& hull, const Headi
     }
     for (const Obstacles::NearCorner& near : obstacles.corners) {
         const BodyPoint corner = frame.pointInBody(near.piece->segment.a);
+        if (!inBox(corner, hull.halfSize, 0.0)) continue;
         const OutlineHit hit = hitOutline(hull.outline, corner);
         if (!hit.inside || hit.distance_m < 1e-6) continue;
         const BodyPoint inward{(corner.x_m - hit.nearest.x_m) / hit.distance_m, (corner.y_m - hit.nearest.y_m) / hit.distance_m};
@@ -127,7 +130,9 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
         const auto [stiffness, damping] = hardContact(std::min(hull.lateralMass_kg, ship.mass_kg));
         const HeadingFrame theirs(ship.position, ship.heading_rad);
         for (const BodyPoint& vertex : hull.outline) {
-            const OutlineHit hit = hitOutline(ship.outline, theirs.pointInBody(frame.point(vertex)));
+            const BodyPoint p = theirs.pointInBody(frame.point(vertex));
+            if (!inBox(p, ship.halfSize, 0.0)) continue;
+            const OutlineHit hit = hitOutline(ship.outline, p);
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const NorthEast away = theirs.point(hit.nearest) - frame.point(vertex);
             visit(Point{ContactKind::Ship, vertex, (1.0 / hit.distance_m) * away, hit.distance_m, stiffness, damping,
@@ -135,6 +140,7 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
         }
         for (const BodyPoint& vertex : ship.outline) {
             const BodyPoint p = frame.pointInBody(theirs.point(vertex));
+            if (!inBox(p, hull.halfSize, 0.0)) continue;
             const OutlineHit hit = hitOutline(hull.outline, p);
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const BodyPoint inward{(p.x_m - hit.nearest.x_m) / hit.distance_m, (p.y_m - hit.nearest.y_m) / hit.distance_m};
@@ -165,7 +171,8 @@ const char* contactKindName(ContactKind kind) {
 }
 
 ContactHull contactHull(const Hull& hull, double lateralMass_kg) {
-    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m), 0.0, hull.lengthOverall_m, lateralMass_kg};
+    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m), 0.0, {0.5 * hull.lengthOverall_m, 0.5 * hull.beam_m},
+                  hull.lengthOverall_m, lateralMass_kg};
     for (const BodyPoint& p : c.outline) c.radius_m = std::max(c.radius_m, std::hypot(p.x_m, p.y_m));
     return c;
 }
@@ -192,7 +199,7 @@ void findObstacles(const Area& area, const ContactHull& hull, const ShipMotion& 
         }
         for (const Shore::Piece* piece : pieces) {
             const BodyPoint corner = frame.pointInBody(piece->segment.a);
-            if (inBox(corner, hull, kReach_m) && hitOutline(hull.outline, corner).distance_m < kReach_m) {
+            if (inBox(corner, hull.halfSize, kReach_m) && hitOutline(hull.outline, corner).distance_m < kReach_m) {
                 found.corners.add({piece, kindOf(area.shore.lines()[piece->line].kind)});
             }
         }

@@ -21,6 +21,7 @@ const char* contactKindName(ContactKind kind);
 struct ContactHull {
     std::vector<BodyPoint> outline;
     double radius_m = 0.0;  ///< of the circle about midship that holds the outline
+    BodyPoint halfSize;     ///< of the box that holds it
     double length_m = 0.0;
     double lateralMass_kg = 0.0;
 };
@@ -29,6 +30,7 @@ ContactHull contactHull(const Hull& hull, double lateralMass_kg);
 /// Another ship as an obstacle for one tick: her outline, where it lies and how it moves over the ground.
 struct ShipObstacle {
     std::span<const BodyPoint> outline;
+    BodyPoint halfSize;  ///< of the box that holds the outline
     NorthEast position;
     double heading_rad = 0.0;
     NorthEast velocity;

@@ -25,7 +25,7 @@ function(sagara_configure target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual
     -Wconversion -Wdouble-promotion -Wformat=2 -Werror
-    # Determinism (design.md, section 1): the same bytes on every x86-64 machine that runs this build.
+    # Determinism: the same bytes wherever this build runs, as far as the mathematics library lets it (core/README.md).
     -ffp-contract=off -fno-fast-math -march=x86-64 -mtune=generic
     # These two change no value; they let loops with a choice in them be vectorised.
     -fno-trapping-math -fno-math-errno)

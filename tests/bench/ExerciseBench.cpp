@@ -3,6 +3,7 @@
 #include "core/base/Archive.h"
 #include "core/exercise/Advance.h"
 #include "core/exercise/BuildId.h"
+#include "core/exercise/Prediction.h"
 #include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
 #include "tests/support/exercise/Lesson.h"
@@ -55,11 +56,7 @@ BENCHMARK(copyState);
 /// The own ship's track of the next six minutes from a copy of the State.
 void predict6min(benchmark::State& bench) {
     const Running run(1, 20, 200);
-    for (auto _ : bench) {
-        State ahead = run.state;
-        for (int i = 0; i < 360 * kTicksPerSecond; ++i) (void)advance(*run.world, ahead);
-        benchmark::DoNotOptimize(ahead);
-    }
+    for (auto _ : bench) benchmark::DoNotOptimize(predict(*run.world, run.state, 0, 360.0, 10.0));
 }
 BENCHMARK(predict6min)->Unit(benchmark::kMillisecond);
 
