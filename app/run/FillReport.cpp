@@ -2,26 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "core/base/Angle.h"
 #include "ui/report/Contours.h"
+#include "ui/report/Marks.h"
 
 namespace sagara::run {
 namespace {
-
-report::ChartMark::Colour colourOf(core::MarkKind kind, const std::string& region) {
-    using Colour = report::ChartMark::Colour;
-    const bool a = region == "A";  // IALA A: red to port
-    switch (kind) {
-        case core::MarkKind::LateralPort: return a ? Colour::Red : Colour::Green;
-        case core::MarkKind::LateralStarboard: return a ? Colour::Green : Colour::Red;
-        case core::MarkKind::SafeWater:
-        case core::MarkKind::IsolatedDanger: return Colour::Red;
-        case core::MarkKind::Lighthouse:
-        case core::MarkKind::Leading: return Colour::White;
-        case core::MarkKind::Beacon: return Colour::Black;
-        default: return Colour::Yellow;
-    }
-}
 
 std::string weatherLine(const core::World& world, int level) {
     const core::Weather w = core::scaled(world.weather, world.level(level));
@@ -37,21 +25,26 @@ std::string weatherLine(const core::World& world, int level) {
     return line + fmt::format("; visibility {:.1f} M", w.visibility_m / core::kNauticalMile_m);
 }
 
-void fillTracks(report::RunReport& r, const core::World& world, const core::Recording& recording) {
+void fillTracks(report::RunReport& r, const core::World& world, const core::Mission& mission,
+                const core::Recording& recording) {
     const auto track = recording.track(world.ships.size(), world.targets.size());
     std::vector<report::OtherTrack> others;
     for (const core::TargetLayout& t : world.targets) {
         others.push_back({t.name, t.behaviour == core::TargetBehaviour::Hostile, {}});
     }
+    core::RouteProgress progress;
     constexpr std::int64_t kOthersEvery_ticks = 10 * core::kTicksPerSecond;
     for (const core::TrackSample& sample : track) {
         if (sample.tick % core::kTicksPerSecond != 0 || sample.ships.empty()) continue;
         const core::ShipSample& s = sample.ships[0];
+        core::follow(world.path, s.motion.position(), progress);
+        const core::Limits limits = core::limitsAt(mission, s.observation, progress);
         const std::size_t shafts = world.ships[0]->shaftCount();
         r.track.push_back({core::timeOfTick(sample.tick).seconds(), s.motion.position(), s.motion.heading_rad,
                            core::length(s.observation.overGround_mps), s.rudder_rad,
                            {s.shafts_rps.begin(), s.shafts_rps.begin() + static_cast<std::ptrdiff_t>(shafts)},
-                           s.motion.roll_rad, s.observation.underKeel_m});
+                           s.motion.roll_rad, s.observation.underKeel_m, limits.speedOverGround_mps});
+        r.underKeelLimit_m = limits.underKeel_m;
         if (sample.tick % kOthersEvery_ticks != 0) continue;
         for (std::size_t i = 0; i < sample.targets.size(); ++i) {
             if (sample.targets[i].present) others[i].points.push_back(sample.targets[i].position);
@@ -59,6 +52,9 @@ void fillTracks(report::RunReport& r, const core::World& world, const core::Reco
     }
     for (report::OtherTrack& other : others) {
         if (!other.points.empty()) r.others.push_back(std::move(other));
+    }
+    for (const core::Event& e : recording.events) {
+        if (e.ship == 0 && e.kind == core::EventKind::AnchorLetGo) r.anchors.push_back({e.place, e.time().seconds()});
     }
 }
 
@@ -72,8 +68,10 @@ void fillChart(report::RunReport& r, const core::World& world) {
     r.depthDatum = area.depthDatum;
     r.attribution = area.attribution;
     r.land = area.land;
-    r.contours = report::contoursOf(area, {2.0, 5.0, 10.0, 20.0});
-    for (const core::Mark& m : area.marks) r.marks.push_back({m.name, m.position, colourOf(m.kind, area.ialaRegion), m.fictional});
+    r.contours = report::contoursOf(area, std::array{2.0, 5.0, 10.0, 20.0});
+    for (const core::Mark& m : area.marks) {
+        r.marks.push_back(report::chartMarkOf(m, area.ialaRegion));
+    }
 }
 
 void fillResult(report::RunReport& r, const core::Mission& mission, const RunSummary& summary) {
@@ -119,7 +117,7 @@ report::RunReport fillReport(const core::World& world, const core::Mission& miss
     r.shipLength_m = ship.vessel.hull.lengthOverall_m;
     r.shipBeam_m = ship.vessel.hull.beam_m;
     fillResult(r, mission, summary);
-    fillTracks(r, world, recording);
+    fillTracks(r, world, mission, recording);
     fillChart(r, world);
     return r;
 }

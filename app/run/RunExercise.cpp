@@ -12,6 +12,7 @@
 #include "app/run/RunFiling.h"
 #include "core/exercise/BuildId.h"
 #include "core/exercise/OrderDocument.h"
+#include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
 
 namespace sagara::run {

@@ -60,7 +60,7 @@ Problems check(const Store& store, const std::string& name, const std::string& t
             return checkAgainstScenario(store, name, text,
                                         [&](const core::World& world) { return problemsOf(core::loadRubric(name, text, world)); });
     }
-    return {};
+    return Problems(name);
 }
 
 }  // namespace

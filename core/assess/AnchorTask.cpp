@@ -18,6 +18,8 @@ struct AnchorGoal {
     double weather_rad;
 };
 
+bool wholeSecond(SimTime time) { return time.us % 1'000'000 == 0; }
+
 /// Notes: A is the time (s) since when she has stayed about the noted place, B since when the anchor has not moved; both
 /// restart.
 class AnchorTask final : public Task {
@@ -43,6 +45,7 @@ public:
             memory.notedPlace = now.position;
         }
         if (anchor->dragSpeed_mps > kMoved_mps) memory.noteB = time_s;
+        if (!wholeSecond(now.time) || now.momentarySpeed_mps > m_goal.speed_mps) return false;
         const double shackleSlack_m = 0.05 * kShackle_m;  // the mark on the cable is read to a twentieth
         return distance(anchor->position, m_goal.place) <= m_goal.within_m &&
                anchor->cableOut_m >= m_goal.leastCable_m - shackleSlack_m &&

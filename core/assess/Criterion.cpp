@@ -18,6 +18,7 @@ using Make = std::unique_ptr<const Criterion> (*)(Criterion::Terms terms, config
 
 }  // namespace
 
+void Criterion::narrow(Limits&, const Observation&, const RouteProgress&) const {}
 void Criterion::observe(const Observation&, const RouteProgress&, CriterionMemory&, std::vector<Deduction>&) const {}
 void Criterion::happened(const Happening&, CriterionMemory&, std::vector<Deduction>&) const {}
 void Criterion::close(SimTime, CriterionMemory&, std::vector<Deduction>&) const {}

@@ -48,6 +48,12 @@ struct Display {
     const char* unit;
 };
 
+/// What the rubric allows a ship here and now.
+struct Limits {
+    double speedOverGround_mps = 0.0;  ///< at most; 0: no limit
+    double underKeel_m = 0.0;          ///< at least
+};
+
 /// One limit of the rubric: what it weighs at most and what each breach costs. Immutable; its memory is in State.
 class Criterion {
 public:
@@ -62,6 +68,8 @@ public:
     virtual ~Criterion() = default;
     const Terms& terms() const { return m_terms; }
     virtual Display display() const = 0;
+    /// Narrows `limits` to what this criterion allows a ship at this place.
+    virtual void narrow(Limits& limits, const Observation& now, const RouteProgress& route) const;
 
     /// At every observation. Deductions are appended to `out`.
     virtual void observe(const Observation& now, const RouteProgress& route, CriterionMemory& memory,

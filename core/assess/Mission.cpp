@@ -62,10 +62,7 @@ Assessment startAssessment(const Mission& mission) {
 void assess(const Mission& mission, const RoutePath& path, Assessment& state, const Observation& now,
             std::vector<AssessmentEvent>& out) {
     if (isOver(state)) return;
-    if (path.length_m() > 0.0) {
-        const RoutePath::Place here = path.nearest(now.position, state.route.along_m, kBehind_m, kAhead_m);
-        state.route = {here.along_m, here.offTrack_m, static_cast<std::uint32_t>(here.leg)};
-    }
+    follow(path, now.position, state.route);
     std::vector<Deduction> deductions;
     for (std::uint32_t i = 0; i < state.criteria.size(); ++i) {
         deductions.clear();
@@ -90,6 +87,18 @@ void assess(const Mission& mission, Assessment& state, const Happening& happenin
         mission.criteria[i]->happened(happening, state.criteria[i], deductions);
         report(mission, state, i, deductions, out);
     }
+}
+
+void follow(const RoutePath& path, NorthEast position, RouteProgress& progress) {
+    if (path.length_m() == 0.0) return;
+    const RoutePath::Place here = path.nearest(position, progress.along_m, kBehind_m, kAhead_m);
+    progress = {here.along_m, here.offTrack_m, static_cast<std::uint32_t>(here.leg)};
+}
+
+Limits limitsAt(const Mission& mission, const Observation& now, const RouteProgress& route) {
+    Limits limits;
+    for (const auto& criterion : mission.criteria) criterion->narrow(limits, now, route);
+    return limits;
 }
 
 void closeAssessment(const Mission& mission, Assessment& state, const Observation& last,

@@ -28,6 +28,7 @@ struct Observation {
     NorthEast position;
     double heading_rad = 0.0;
     NorthEast overGround_mps;         ///< velocity of midship as the GPS shows it, frame N
+    double momentarySpeed_mps = 0.0;  ///< over the ground, with what the swell adds to and fro
     double alongGround_mps = 0.0;     ///< its part along the heading; negative: going astern
     double underKeel_m = 0.0;
     double clearOfShore_m = 0.0;      ///< hull to the nearest quay or shore, at most kShoreLimit_m

@@ -45,6 +45,12 @@ public:
     SpeedLimitCriterion(Terms terms, std::vector<SpeedZone> zones)
         : EpisodeCriterion(std::move(terms)), m_zones(std::move(zones)) {}
     Display display() const override { return {"speed over ground", kKnot_mps, "kn"}; }
+    void narrow(Limits& limits, const Observation& now, const RouteProgress& route) const override {
+        const double here_mps = lowestSpeed_mps(m_zones, now.position, route.leg, 0.0);
+        if (here_mps == 0.0) return;
+        const double other_mps = limits.speedOverGround_mps;
+        limits.speedOverGround_mps = other_mps == 0.0 ? here_mps : std::min(other_mps, here_mps);
+    }
 
 protected:
     Measure measure(const Observation& now, const RouteProgress& route, CriterionMemory&) const override {

@@ -1,5 +1,7 @@
 #include "core/assess/SafetyCriteria.h"
 
+#include <algorithm>
+
 namespace sagara::core {
 namespace {
 
@@ -7,6 +9,9 @@ class UnderKeelCriterion final : public EpisodeCriterion {
 public:
     UnderKeelCriterion(Terms terms, double limit_m) : EpisodeCriterion(std::move(terms)), m_limit_m(limit_m) {}
     Display display() const override { return {"under-keel clearance", 1.0, "m"}; }
+    void narrow(Limits& limits, const Observation&, const RouteProgress&) const override {
+        limits.underKeel_m = std::max(limits.underKeel_m, m_limit_m);
+    }
 
 protected:
     Measure measure(const Observation& now, const RouteProgress&, CriterionMemory&) const override {

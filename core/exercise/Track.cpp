@@ -30,6 +30,7 @@ void visitShip(ShipSample& s, Visit&& visit) {
     visit(o.level, 1.0);
     visit(o.overGround_mps.north_m, kSpeed_mps);
     visit(o.overGround_mps.east_m, kSpeed_mps);
+    visit(o.momentarySpeed_mps, kSpeed_mps);
     visit(o.alongGround_mps, kSpeed_mps);
     visit(o.underKeel_m, kLength_m);
     visit(o.clearOfShore_m, kLength_m);
