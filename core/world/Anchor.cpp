@@ -48,7 +48,8 @@ void touchBottom(const AnchorGear& gear, AnchorState& anchor, double height_m, N
     }
     // up and down: the windlass breaks it out
     const bool upAndDown = anchor.cableOut_m < height_m + 1.0 && distance(anchor.position, hawse) < height_m;
-    if (anchor.onBottom && anchor.status == AnchorStatus::Heaving && upAndDown) anchor.onBottom = false;
+    const bool brokenOut = anchor.status == AnchorStatus::Heaving && upAndDown;
+    if (brokenOut || anchor.cableOut_m < height_m) anchor.onBottom = false;
     if (!anchor.onBottom) {
         anchor.pull_N = 0.0;
         anchor.hawseTension_N =
