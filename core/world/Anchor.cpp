@@ -45,6 +45,7 @@ void touchBottom(const AnchorGear& gear, AnchorState& anchor, double height_m, N
         anchor.onBottom = true;
         anchor.position = hawse;
         anchor.set = 0.0;
+        anchor.dragged_m = 0.0;
     }
     // up and down: the windlass breaks it out
     const bool upAndDown = anchor.cableOut_m < height_m + 1.0 && distance(anchor.position, hawse) < height_m;

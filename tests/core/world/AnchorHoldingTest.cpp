@@ -210,5 +210,18 @@ TEST(AnchorLoad, PullsTheHawseTowardsTheAnchor) {
     EXPECT_NEAR(load.yaw_Nm, 23.0 * load.sway_N + 1.3 * load.surge_N, 1e-6);
 }
 
+TEST(AnchorAgain, ANewAttemptCountsItsDraggingAnew) {
+    Towed t(kPatrol, 5.0);
+    while (t.anchor.dragged_m < 20.0) t.tick(0.4);
+    t.anchor.status = AnchorStatus::Heaving;
+    t.anchor.stopAt_m = 10.0;
+    while (t.anchor.onBottom) t.tick(t.hawse_m > t.anchor.position.north_m ? -0.4 : 0.0);
+    t.anchor.status = AnchorStatus::Veering;
+    t.anchor.stopAt_m = 100.0;
+    while (!t.anchor.onBottom) t.tick(0.0);
+    EXPECT_EQ(t.anchor.dragged_m, 0.0);
+    EXPECT_EQ(t.anchor.set, 0.0);
+}
+
 }  // namespace
 }  // namespace sagara::core
