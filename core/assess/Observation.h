@@ -16,7 +16,7 @@ struct AnchorObservation {
     bool down = false;      ///< let go and on the bottom
     NorthEast position;     ///< of the anchor
     double cableOut_m = 0.0;
-    double dragged_m = 0.0;      ///< since it was let go
+    double dragged_m = 0.0;      ///< since it last came to the ground
     double dragSpeed_mps = 0.0;
 };
 

@@ -7,8 +7,10 @@ namespace sagara::core {
 NorthEast nearestPoint(const Segment& s, NorthEast p) {
     const NorthEast along = s.b - s.a;
     const double squared_m2 = dot(along, along);
-    if (squared_m2 == 0.0) return s.a;
-    return s.a + std::clamp(dot(p - s.a, along) / squared_m2, 0.0, 1.0) * along;
+    const double fraction = squared_m2 == 0.0 ? 0.0 : dot(p - s.a, along) / squared_m2;
+    if (fraction <= 0.0) return s.a;
+    if (fraction >= 1.0) return s.b;  // exactly: a + 1 (b - a) may be another number
+    return s.a + fraction * along;
 }
 
 double distanceTo(const Segment& s, NorthEast p) { return distance(nearestPoint(s, p), p); }

@@ -13,7 +13,7 @@ struct Segment {
     NorthEast b;
 };
 
-/// The point of the segment nearest to p.
+/// The point of the segment nearest to p; beyond an end exactly that end.
 NorthEast nearestPoint(const Segment& s, NorthEast p);
 double distanceTo(const Segment& s, NorthEast p);
 

@@ -45,10 +45,12 @@ void touchBottom(const AnchorGear& gear, AnchorState& anchor, double height_m, N
         anchor.onBottom = true;
         anchor.position = hawse;
         anchor.set = 0.0;
+        anchor.dragged_m = 0.0;
     }
     // up and down: the windlass breaks it out
     const bool upAndDown = anchor.cableOut_m < height_m + 1.0 && distance(anchor.position, hawse) < height_m;
-    if (anchor.onBottom && anchor.status == AnchorStatus::Heaving && upAndDown) anchor.onBottom = false;
+    const bool brokenOut = anchor.status == AnchorStatus::Heaving && upAndDown;
+    if (brokenOut || anchor.cableOut_m < height_m) anchor.onBottom = false;
     if (!anchor.onBottom) {
         anchor.pull_N = 0.0;
         anchor.hawseTension_N =

@@ -26,7 +26,7 @@ struct AnchorState {
     NorthEast position;          ///< of the anchor once on the bottom
     double set = 0.0;            ///< 0 to 1: how far the flukes have dug in
     double dragSpeed_mps = 0.0;
-    double dragged_m = 0.0;      ///< over the ground since it was let go
+    double dragged_m = 0.0;      ///< over the ground since it last came to it
     double pull_N = 0.0;         ///< horizontal, on the ship, in this tick
     double hawseTension_N = 0.0;
 

@@ -46,9 +46,10 @@ CableShape cableShape(double horizontal_m, double height_m, double length_m, dou
         shape.atHawse_N = H + weight_Npm * height_m;
         return shape;
     }
-    // Vertical pulls at both ends differ by the weight; their mean acts along the chord.
-    const double slope = height_m / std::max(horizontal_m, 1e-6);
-    const double vertical_N = std::max(0.0, H * slope - 0.5 * weight_Npm * length_m);
+    // Vertical pulls at both ends differ by the weight of the cable; their sum is w h coth(x / 2a) (catenary between two
+    // points).
+    const double sum_N = weight_Npm * height_m / std::tanh(0.5 * horizontal_m / a);
+    const double vertical_N = std::max(0.0, 0.5 * (sum_N - weight_Npm * length_m));
     shape.uplift_rad = std::atan2(vertical_N, H);
     shape.atHawse_N = std::hypot(H, vertical_N + weight_Npm * length_m);
     return shape;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sagara::core {
 namespace {
@@ -25,7 +26,10 @@ struct Point {
     NorthEast otherVelocity;
     double otherMass_kg;  ///< 0: does not move
     std::int32_t other;
+    std::size_t body;     ///< what is touched: kShoreBody, kFenderBody or kFirstShipBody and on
 };
+constexpr std::size_t kFenderBody = 0, kShoreBody = 1, kFirstShipBody = 2;
+constexpr std::size_t kMostBodies = kFirstShipBody + std::tuple_size_v<decltype(Obstacles::ships.items)>;
 
 ContactKind kindOf(ShoreKind kind) {
     switch (kind) {
@@ -84,7 +88,7 @@ void visitShore(const Obstacles& obstacles, const ContactHull& hull, const Headi
         const Shore::Offset offset = Shore::offset(*near.piece, p);
         if (offset.distance_m >= 0.0 || offset.distance_m < -kDeepest_m) continue;
         const NorthEast away = (1.0 / -offset.distance_m) * (offset.nearest - p);
-        visit(Point{near.kind, where, away, -offset.distance_m, stiffness, damping, {}, 0.0, 0});
+        visit(Point{near.kind, where, away, -offset.distance_m, stiffness, damping, {}, 0.0, 0, kShoreBody});
     }
     for (const Obstacles::NearCorner& near : obstacles.corners) {
         const BodyPoint corner = frame.pointInBody(near.piece->segment.a);
@@ -92,7 +96,8 @@ void visitShore(const Obstacles& obstacles, const ContactHull& hull, const Headi
         const OutlineHit hit = hitOutline(hull.outline, corner);
         if (!hit.inside || hit.distance_m < 1e-6) continue;
         const BodyPoint inward{(corner.x_m - hit.nearest.x_m) / hit.distance_m, (corner.y_m - hit.nearest.y_m) / hit.distance_m};
-        visit(Point{near.kind, hit.nearest, frame.vector(inward), hit.distance_m, stiffness, damping, {}, 0.0, 0});
+        visit(Point{near.kind, hit.nearest, frame.vector(inward), hit.distance_m, stiffness, damping, {}, 0.0, 0,
+                    kShoreBody});
     }
 }
 
@@ -120,12 +125,13 @@ void visitFenders(const Obstacles& obstacles, const ContactHull& hull, const Hea
         if (nearest_m >= fender.thickness_m) continue;
         const double damping = kFenderDamping * std::sqrt(fender.stiffness_Npm * hull.lateralMass_kg);
         visit(Point{ContactKind::Fender, where, near.outward, fender.thickness_m - nearest_m, fender.stiffness_Npm, damping,
-                    {}, 0.0, 0});
+                    {}, 0.0, 0, kFenderBody});
     }
 }
 
 template <typename Visit>
 void visitShips(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
+    std::size_t body = kFirstShipBody;
     for (const ShipObstacle& ship : obstacles.ships) {
         const auto [stiffness, damping] = hardContact(std::min(hull.lateralMass_kg, ship.mass_kg));
         const HeadingFrame theirs(ship.position, ship.heading_rad);
@@ -136,7 +142,7 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const NorthEast away = theirs.point(hit.nearest) - frame.point(vertex);
             visit(Point{ContactKind::Ship, vertex, (1.0 / hit.distance_m) * away, hit.distance_m, stiffness, damping,
-                        ship.velocity, ship.mass_kg, ship.index});
+                        ship.velocity, ship.mass_kg, ship.index, body});
         }
         for (const BodyPoint& vertex : ship.outline) {
             const BodyPoint p = frame.pointInBody(theirs.point(vertex));
@@ -145,8 +151,9 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const BodyPoint inward{(p.x_m - hit.nearest.x_m) / hit.distance_m, (p.y_m - hit.nearest.y_m) / hit.distance_m};
             visit(Point{ContactKind::Ship, hit.nearest, frame.vector(inward), hit.distance_m, stiffness, damping,
-                        ship.velocity, ship.mass_kg, ship.index});
+                        ship.velocity, ship.mass_kg, ship.index, body});
         }
+        ++body;
     }
 }
 
@@ -214,11 +221,26 @@ void findObstacles(const Area& area, const ContactHull& hull, const ShipMotion& 
 
 Load contactLoad(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m, NorthEast current) {
     const HeadingFrame frame(m.position(), m.heading_rad);
+    // A hard body has the stiffness of one blow however many points touch it: they share it by their depth. (A long side flat
+    // on a quay would else be as many times stiffer and more damped as it has points, too much for the tick.)
+    struct Overlap {
+        double sum_m = 0.0, deepest_m = 0.0;
+    };
+    std::array<Overlap, kMostBodies> overlaps;
+    visitAll(obstacles, hull, frame, [&](const Point& point) {
+        Overlap& overlap = overlaps[point.body];
+        overlap.sum_m += point.depth_m;
+        overlap.deepest_m = std::max(overlap.deepest_m, point.depth_m);
+    });
     Load sum;
     visitAll(obstacles, hull, frame, [&](const Point& point) {
         const NorthEast velocity = frame.vector(velocityAt(m, point.where)) + current - point.otherVelocity;
         const double closing_mps = -dot(velocity, point.away);
-        const double normal_N = std::max(0.0, point.stiffness_Npm * point.depth_m + point.damping_Nspm * closing_mps);
+        const Overlap& overlap = overlaps[point.body];
+        const bool fender = point.body == kFenderBody;
+        const double share = fender ? 1.0 : point.depth_m / overlap.sum_m, depth_m = fender ? point.depth_m : overlap.deepest_m;
+        const double normal_N =
+            share * std::max(0.0, point.stiffness_Npm * depth_m + point.damping_Nspm * closing_mps);
         const NorthEast sliding = velocity + closing_mps * point.away;
         const double slide_mps = length(sliding);
         const NorthEast force = normal_N * point.away + -kFriction * normal_N / (slide_mps + kFrictionSpeed_mps) * sliding;

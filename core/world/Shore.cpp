@@ -48,12 +48,37 @@ void addPieces(std::vector<Shore::Piece>& pieces, const ShoreLine& line, std::ui
     const double side = landRight ? -1.0 : 1.0;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
         const Segment s{line.points[i - 1], line.points[i]};
+        if (s.a == s.b) continue;  // a point given twice has no side
         const NorthEast toWater = side * turnedRight(unit(s.b - s.a));
         pieces.push_back({s, index, toWater, toWater, toWater});
     }
     for (std::size_t i = first + 1; i < pieces.size(); ++i) {
         const NorthEast between = unit(pieces[i - 1].toWater + pieces[i].toWater);
         pieces[i - 1].toWaterB = pieces[i].toWaterA = between;
+    }
+}
+
+/// Where two lines meet, or one closes, the corner is shared as within a line. `starts`: first piece of every line, and the
+/// number of pieces.
+void joinLines(std::vector<Shore::Piece>& pieces, const std::vector<std::size_t>& starts) {
+    constexpr double kSamePlace_m = 0.01;
+    struct End {
+        NorthEast place;
+        NorthEast* toWater;
+    };
+    std::vector<End> ends;
+    for (std::size_t line = 0; line + 1 < starts.size(); ++line) {
+        if (starts[line] == starts[line + 1]) continue;
+        Shore::Piece& first = pieces[starts[line]];
+        Shore::Piece& last = pieces[starts[line + 1] - 1];
+        ends.push_back({first.segment.a, &first.toWaterA});
+        ends.push_back({last.segment.b, &last.toWaterB});
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (distance(ends[i].place, ends[j].place) > kSamePlace_m) continue;
+            *ends[i].toWater = *ends[j].toWater = unit(*ends[i].toWater + *ends[j].toWater);
+        }
     }
 }
 
@@ -70,13 +95,16 @@ Shore::Offset Shore::offset(const Piece& piece, NorthEast p) {
 
 Shore::Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEast>>& land) : m_lines(std::move(lines)) {
     NorthEast low{1e18, 1e18}, high{-1e18, -1e18};
+    std::vector<std::size_t> starts{0};
     for (std::uint32_t line = 0; line < m_lines.size(); ++line) {
         for (const NorthEast p : m_lines[line].points) {
             low = {std::min(low.north_m, p.north_m), std::min(low.east_m, p.east_m)};
             high = {std::max(high.north_m, p.north_m), std::max(high.east_m, p.east_m)};
         }
         addPieces(m_pieces, m_lines[line], line, landOnTheRight(m_lines[line], land));
+        starts.push_back(m_pieces.size());
     }
+    joinLines(m_pieces, starts);
     if (m_pieces.empty()) return;
     m_southWest = low;
     m_rows = static_cast<std::size_t>((high.north_m - low.north_m) / kCell_m) + 1;

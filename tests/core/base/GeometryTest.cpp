@@ -50,6 +50,16 @@ TEST(Shapes, NearestPointStaysOnTheSegment) {
     EXPECT_DOUBLE_EQ(distanceTo(s, {13, 4}), 5.0);
 }
 
+TEST(Shapes, BeyondAnEndTheNearestPointIsThatEndToTheBit) {
+    // Shore tells by equality which corner is meant. a + (b - a) is not b for most numbers.
+    for (int i = 0; i < 1000; ++i) {
+        const Segment s{{0.1 * i, 1234.567}, {-7.3 * i, 0.001 * i}};
+        const NorthEast along = s.b - s.a;
+        ASSERT_EQ(nearestPoint(s, s.b + along), s.b);
+        ASSERT_EQ(nearestPoint(s, s.a - along), s.a);
+    }
+}
+
 TEST(Shapes, CrossingIsSeenFromBothSides) {
     const Segment gate{{0, 0}, {10, 0}};
     EXPECT_TRUE(crosses(gate, {5, -1}, {5, 1}));
