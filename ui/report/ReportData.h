@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "core/assess/Observation.h"
 #include "core/base/LocalFrame.h"
 #include "core/base/Planar.h"
 #include "core/base/Utc.h"
+#include "core/world/Area.h"
 #include "core/world/Route.h"
 
-/// What the report of one run shows. Plain values in SI and frame N; the page turns them into knots, degrees and text.
+/// What the report of one run shows. Plain values in SI and frame N; the page turns them into knots, degrees
+/// and text.
 namespace sagara::report {
 
 struct TaskLine {
@@ -22,13 +23,13 @@ struct TaskLine {
 /// One deduction, its value already in the unit it is shown in.
 struct DeductionLine {
     double time_s = 0.0;
-    std::string title;      ///< of the criterion: "Keep to the speeds"
-    std::string quantity;   ///< "speed over ground"
-    std::string unit;       ///< "kn"
+    std::string title;     ///< of the criterion: "Keep to the speeds"
+    std::string quantity;  ///< "speed over ground"
+    std::string unit;      ///< "kn"
     double value = 0.0;
     double limit = 0.0;
     double points = 0.0;
-    bool failed = false;    ///< this one fails the run
+    bool failed = false;  ///< this one fails the run
     core::NorthEast place;
 };
 
@@ -43,12 +44,20 @@ struct CriterionLine {
 struct TrackPoint {
     double time_s = 0.0;
     core::NorthEast position;
-    double heading_rad = 0.0;
+    double heading_rad = 0.0;  ///< in frame N
     double speedOverGround_mps = 0.0;
-    double rudder_rad = 0.0;
-    std::vector<double> shafts_rps;
-    double roll_rad = 0.0;
+    double rudder_rad = 0.0;         ///< positive turns the bow to starboard
+    std::vector<double> shafts_rps;  ///< port to starboard
+    double roll_rad = 0.0;           ///< starboard side down is positive
     double underKeel_m = 0.0;
+    double speedLimit_mps =
+        0.0;  ///< in force here; 0: not known, then the limits of the route's legs are shown
+};
+
+/// Where and when an anchor was let go. Its own list, because the ship's track does not tell.
+struct AnchorDrop {
+    core::NorthEast position;
+    double time_s = 0.0;
 };
 
 struct OtherTrack {
@@ -57,13 +66,14 @@ struct OtherTrack {
     std::vector<core::NorthEast> points;
 };
 
-/// A light, buoy or beacon: where, and the colour it is drawn in.
+/// A light, buoy or beacon: where, and the colour it is drawn in. See chartMarkOf in Marks.h.
 struct ChartMark {
     enum class Colour : std::uint8_t { Red, Green, Yellow, Black, White };
     std::string name;
     core::NorthEast position;
     Colour colour = Colour::Black;
     bool fictional = false;
+    core::MarkKind kind = core::MarkKind::Beacon;  ///< its shape: black and white prints have no colours
 };
 
 struct RunReport {
@@ -72,26 +82,28 @@ struct RunReport {
     std::string competenceCode;
     std::string shipName;
     std::string vesselName;
-    std::string trainee;          ///< empty: nobody named
-    std::string runType;          ///< "assess", "self-study", ...
+    std::string trainee;  ///< empty: nobody named
+    std::string runType;  ///< "assess", "self-study", ...
     int level = 1;
     std::uint64_t seed = 0;
     core::Utc start;
     int utcOffset_min = 0;
     std::string timeZone;
-    std::string weather;          ///< one line
+    std::string weather;  ///< one line
     bool passed = false;
-    std::string whyNot;           ///< empty when passed
+    std::string whyNot;  ///< empty when passed
     double score = 0.0;
     double passScore = 0.0;
     double duration_s = 0.0;
-    std::string gradedFrom;       ///< "the run itself" or "the recorded track of another build"
+    std::string gradedFrom;  ///< "the run itself" or "the recorded track of another build"
     std::string stateHash;
     std::string buildId;
     std::vector<TaskLine> tasks;
     std::vector<CriterionLine> criteria;
     std::vector<DeductionLine> deductions;
     std::vector<TrackPoint> track;
+    std::vector<AnchorDrop> anchors;
+    double underKeelLimit_m = 0.0;  ///< drawn in its plot; 0: none
     double shipLength_m = 0.0;
     double shipBeam_m = 0.0;
     std::vector<OtherTrack> others;
@@ -99,20 +111,20 @@ struct RunReport {
     core::RoutePath path;
     core::LocalFrame frame{{}};
     std::string areaName;
-    std::string chartNotice;                              ///< "not for navigation ..."
+    std::string chartNotice;  ///< "not for navigation ..."
     std::string depthDatum;
     std::vector<std::string> attribution;
-    std::vector<std::vector<core::NorthEast>> land;       ///< closed rings
+    std::vector<std::vector<core::NorthEast>> land;  ///< closed rings
     struct Contour {
         double depth_m = 0.0;
         std::vector<std::vector<core::NorthEast>> lines;
     };
-    std::vector<Contour> contours;                        ///< shallow to deep
+    std::vector<Contour> contours;  ///< shallow to deep
     std::vector<ChartMark> marks;
 };
 
-/// Writes the report as PDF, A4. Throws std::runtime_error with a clear message when the file cannot be written.
-/// Needs a QGuiApplication (the offscreen platform will do).
+/// Writes the report as PDF, A4. Throws std::runtime_error with a clear message when the file cannot be
+/// written. Needs a QGuiApplication (the offscreen platform will do).
 void writeReport(const RunReport& report, const std::string& path);
 
 }  // namespace sagara::report
