@@ -18,9 +18,12 @@ fs::path assetFolder() {
 
 fs::path AssetSource::pathOf(core::DocumentKind kind, const std::string& id) const {
     switch (kind) {
-        case core::DocumentKind::Vessel: return m_folder / "vessels" / (id + ".json");
-        case core::DocumentKind::Area: return m_folder / "areas" / id / "area.json";
-        case core::DocumentKind::Scenario: return m_folder / "scenarios" / (id + ".json");
+        case core::DocumentKind::Vessel:
+            return m_folder / "vessels" / (id + ".json");
+        case core::DocumentKind::Area:
+            return m_folder / "areas" / id / "area.json";
+        case core::DocumentKind::Scenario:
+            return m_folder / "scenarios" / (id + ".json");
     }
     return {};
 }
@@ -37,7 +40,8 @@ std::vector<std::string> AssetSource::ids(core::DocumentKind kind) const {
     const bool folders = kind == core::DocumentKind::Area;
     std::vector<std::string> ids;
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folders ? m_folder / "areas" : sample.parent_path(), ignored)) {
+    for (const auto& entry :
+         fs::directory_iterator(folders ? m_folder / "areas" : sample.parent_path(), ignored)) {
         if (folders || entry.path().extension() == ".json") ids.push_back(entry.path().stem().string());
     }
     std::sort(ids.begin(), ids.end());

@@ -7,8 +7,8 @@
 
 namespace sagara::run {
 
-/// The folder assets/ of this installation: beside the program where it is installed, else in the source tree it was
-/// built from.
+/// The folder assets/ of this installation: beside the program where it is installed, else in the source tree
+/// it was built from.
 std::filesystem::path assetFolder();
 
 /// The documents that are shipped, straight from assets/.

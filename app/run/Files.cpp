@@ -30,8 +30,12 @@ core::Result<Container, FileError> readFile(const fs::path& path) {
 
 }  // namespace
 
-core::Result<std::string, FileError> readTextFile(const fs::path& path) { return readFile<std::string>(path); }
-core::Result<core::Bytes, FileError> readBinaryFile(const fs::path& path) { return readFile<core::Bytes>(path); }
+core::Result<std::string, FileError> readTextFile(const fs::path& path) {
+    return readFile<std::string>(path);
+}
+core::Result<core::Bytes, FileError> readBinaryFile(const fs::path& path) {
+    return readFile<core::Bytes>(path);
+}
 
 std::optional<FileError> writeTextFile(const fs::path& path, std::string_view text) {
     const fs::path temporary = path.string() + ".new";

@@ -14,13 +14,14 @@ namespace {
 std::string weatherLine(const core::World& world, int level) {
     const core::Weather w = core::scaled(world.weather, world.level(level));
     const int force = core::beaufortOfWind(w.wind.speed_mps);
-    std::string line = fmt::format("wind {:03.0f}°, {:.0f} kn (Beaufort {}, {})", w.wind.windFrom_rad / core::kDegree_rad,
-                                   w.wind.speed_mps / core::kKnot_mps, force, core::beaufortName(force));
+    std::string line =
+        fmt::format("wind {:03.0f}°, {:.0f} kn (Beaufort {}, {})", w.wind.windFrom_rad / core::kDegree_rad,
+                    w.wind.speed_mps / core::kKnot_mps, force, core::beaufortName(force));
     for (const core::WaveSystem& swell : w.swells) {
         if (swell.significantHeight_m == 0.0) continue;
         line += fmt::format("; swell {:03.0f}°, {:.1f} m, {:.0f} s",
-                            core::wrapTwoPi(swell.wavesTo_rad + core::kPi) / core::kDegree_rad, swell.significantHeight_m,
-                            swell.peakPeriod_s);
+                            core::wrapTwoPi(swell.wavesTo_rad + core::kPi) / core::kDegree_rad,
+                            swell.significantHeight_m, swell.peakPeriod_s);
     }
     return line + fmt::format("; visibility {:.1f} M", w.visibility_m / core::kNauticalMile_m);
 }
@@ -40,10 +41,15 @@ void fillTracks(report::RunReport& r, const core::World& world, const core::Miss
         core::follow(world.path, s.motion.position(), progress);
         const core::Limits limits = core::limitsAt(mission, s.observation, progress);
         const std::size_t shafts = world.ships[0]->shaftCount();
-        r.track.push_back({core::timeOfTick(sample.tick).seconds(), s.motion.position(), s.motion.heading_rad,
-                           core::length(s.observation.overGround_mps), s.rudder_rad,
+        r.track.push_back({core::timeOfTick(sample.tick).seconds(),
+                           s.motion.position(),
+                           s.motion.heading_rad,
+                           core::length(s.observation.overGround_mps),
+                           s.rudder_rad,
                            {s.shafts_rps.begin(), s.shafts_rps.begin() + static_cast<std::ptrdiff_t>(shafts)},
-                           s.motion.roll_rad, s.observation.underKeel_m, limits.speedOverGround_mps});
+                           s.motion.roll_rad,
+                           s.observation.underKeel_m,
+                           limits.speedOverGround_mps});
         r.underKeelLimit_m = limits.underKeel_m;
         if (sample.tick % kOthersEvery_ticks != 0) continue;
         for (std::size_t i = 0; i < sample.targets.size(); ++i) {
@@ -54,7 +60,8 @@ void fillTracks(report::RunReport& r, const core::World& world, const core::Miss
         if (!other.points.empty()) r.others.push_back(std::move(other));
     }
     for (const core::Event& e : recording.events) {
-        if (e.ship == 0 && e.kind == core::EventKind::AnchorLetGo) r.anchors.push_back({e.place, e.time().seconds()});
+        if (e.ship == 0 && e.kind == core::EventKind::AnchorLetGo)
+            r.anchors.push_back({e.place, e.time().seconds()});
     }
 }
 
@@ -84,19 +91,21 @@ void fillResult(report::RunReport& r, const core::Mission& mission, const RunSum
     r.stateHash = summary.stateHash;
     for (const RunSummary::Task& t : summary.tasks) r.tasks.push_back({t.title, t.done, t.time_s});
     for (const RunSummary::Loss& l : summary.losses) {
-        r.deductions.push_back({l.time_s, l.title, l.quantity, l.unit, l.value, l.limit, l.points, l.fails, l.place});
+        r.deductions.push_back(
+            {l.time_s, l.title, l.quantity, l.unit, l.value, l.limit, l.points, l.fails, l.place});
     }
     for (const auto& criterion : mission.criteria) {
         double lost = 0.0;
-        for (const RunSummary::Loss& l : summary.losses) lost += l.id == criterion->terms().id ? l.points : 0.0;
+        for (const RunSummary::Loss& l : summary.losses)
+            lost += l.id == criterion->terms().id ? l.points : 0.0;
         r.criteria.push_back({criterion->terms().title, criterion->terms().weight, lost});
     }
 }
 
 }  // namespace
 
-report::RunReport fillReport(const core::World& world, const core::Mission& mission, const core::Recording& recording,
-                             const RunSummary& summary) {
+report::RunReport fillReport(const core::World& world, const core::Mission& mission,
+                             const core::Recording& recording, const RunSummary& summary) {
     const core::RecordingHeader& header = recording.header;
     const core::OwnShip& ship = *world.ships[0];
     report::RunReport r;

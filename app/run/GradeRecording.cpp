@@ -23,7 +23,8 @@ public:
         if (core::allTasksDone(m_grading.assessment)) finish(state);
     }
     void finish(const core::State& state) {
-        core::closeAssessment(m_mission, m_grading.assessment, core::observe(m_world, state, 0), m_grading.events);
+        core::closeAssessment(m_mission, m_grading.assessment, core::observe(m_world, state, 0),
+                              m_grading.events);
     }
     const core::Grading& grading() const { return m_grading; }
 
@@ -52,7 +53,8 @@ RunSummary gradeRecording(const core::World& world, const core::Recording& recor
     SideGrader side(world, mission);
     std::vector<core::Event> events;
     auto last = core::replay(world, recording, std::min(untilTick, recording.endTick),
-                             [&](const core::State& state, std::span<const core::Command> commands, std::span<const core::Event> now) {
+                             [&](const core::State& state, std::span<const core::Command> commands,
+                                 std::span<const core::Event> now) {
                                  events.insert(events.end(), now.begin(), now.end());
                                  if (rubric) side.after(state, now);
                                  if (after) after(state, commands, now);

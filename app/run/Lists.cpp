@@ -15,7 +15,8 @@ namespace {
 
 void listDocuments(db::Database& database, db::DocumentTable table) {
     for (const db::DocumentEntry& e : db::DocumentRepository(database, table).inUse()) {
-        print(fmt::format("{:<24} {:<44} {:<8} {}\n", e.key, e.name, db::toText(e.origin), core::toHex(e.contentHash)));
+        print(fmt::format("{:<24} {:<44} {:<8} {}\n", e.key, e.name, db::toText(e.origin),
+                          core::toHex(e.contentHash)));
     }
 }
 
@@ -29,10 +30,10 @@ void listRuns(db::Database& database) {
     const db::GradeRepository grades(database);
     for (const db::RunRecord& r : db::RunRepository(database).list()) {
         const auto person = r.start.person ? people.find(*r.start.person) : std::nullopt;
-        print(fmt::format("{}  {:<20} level {}  {:<11} {:<9} {:>8}  {:<15} {:<20} {}\n", core::formatUtc(r.start.started),
-                          r.start.scenarioKey, r.start.level, db::toText(r.start.type), db::toText(r.status),
-                          clock(r.simTime.seconds()), gradeOf(grades.find(r.id)), person ? person->name : "-",
-                          r.start.recordingFile));
+        print(fmt::format("{}  {:<20} level {}  {:<11} {:<9} {:>8}  {:<15} {:<20} {}\n",
+                          core::formatUtc(r.start.started), r.start.scenarioKey, r.start.level,
+                          db::toText(r.start.type), db::toText(r.status), clock(r.simTime.seconds()),
+                          gradeOf(grades.find(r.id)), person ? person->name : "-", r.start.recordingFile));
     }
 }
 

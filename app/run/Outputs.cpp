@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "app/run/Console.h"
-#include "app/run/FillReport.h"
 #include "app/run/Files.h"
+#include "app/run/FillReport.h"
 
 namespace sagara::run {
 
-TrackOutput::TrackOutput(const core::World& world, const std::optional<std::filesystem::path>& path, double rate_Hz)
+TrackOutput::TrackOutput(const core::World& world, const std::optional<std::filesystem::path>& path,
+                         double rate_Hz)
     : m_world(world),
       m_path(path),
       m_every_ticks(std::max<std::int64_t>(1, std::llround(core::kTicksPerSecond / rate_Hz))),
@@ -41,6 +42,8 @@ bool writeReportOf(const core::World& world, const core::Mission& mission, const
     }
 }
 
-void printSummary(const RunSummary& summary, bool json) { print(json ? toJson(summary) + "\n" : toText(summary)); }
+void printSummary(const RunSummary& summary, bool json) {
+    print(json ? toJson(summary) + "\n" : toText(summary));
+}
 
 }  // namespace sagara::run

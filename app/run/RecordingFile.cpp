@@ -7,7 +7,9 @@ namespace sagara::run {
 namespace fs = std::filesystem;
 namespace {
 
-std::string because(const fs::path& path) { return path.string() + ": the recording cannot be written (" + std::strerror(errno) + ")"; }
+std::string because(const fs::path& path) {
+    return path.string() + ": the recording cannot be written (" + std::strerror(errno) + ")";
+}
 
 }  // namespace
 
@@ -17,7 +19,8 @@ std::unique_ptr<RecordingFile> RecordingFile::create(const fs::path& path, std::
     return file ? std::unique_ptr<RecordingFile>(new RecordingFile(path, file)) : nullptr;
 }
 
-std::unique_ptr<RecordingFile> RecordingFile::append(const fs::path& path, std::size_t whole_bytes, std::string& trouble) {
+std::unique_ptr<RecordingFile> RecordingFile::append(const fs::path& path, std::size_t whole_bytes,
+                                                     std::string& trouble) {
     std::error_code failed;
     fs::resize_file(path, whole_bytes, failed);
     errno = failed.value();

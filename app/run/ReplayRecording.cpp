@@ -10,7 +10,8 @@ namespace sagara::run {
 namespace {
 
 /// The rubric asked for, or null; false when it cannot be used.
-bool readRubric(const ReplayOptions& options, const core::World& world, std::shared_ptr<const core::Mission>& rubric) {
+bool readRubric(const ReplayOptions& options, const core::World& world,
+                std::shared_ptr<const core::Mission>& rubric) {
     if (!options.rubric) return true;
     const auto text = readTextFile(*options.rubric);
     if (!text) return tell(text.error().message), false;
@@ -38,11 +39,13 @@ int replayRecording(const ReplayOptions& options) {
     std::shared_ptr<const core::Mission> rubric;
     if (!readRubric(options, world, rubric)) return kBadRequest;
 
-    const auto until = options.until_s ? std::llround(*options.until_s * core::kTicksPerSecond) : recording->endTick;
+    const auto until =
+        options.until_s ? std::llround(*options.until_s * core::kTicksPerSecond) : recording->endTick;
     TrackOutput track(world, options.track, options.track_Hz);
     const double begin_s = wallClock_s();
     if (recording->sameBuild() && !recording->states.empty()) {
-        if (const auto first = core::stateAt(world, *recording, recording->states.front().tick)) track.add(*first);
+        if (const auto first = core::stateAt(world, *recording, recording->states.front().tick))
+            track.add(*first);
     }
     RunSummary summary = gradeRecording(world, *recording, until, rubric.get(),
                                         [&](const core::State& state, std::span<const core::Command>,
@@ -54,7 +57,10 @@ int replayRecording(const ReplayOptions& options) {
         }
     }
     bool sound = track.write();
-    if (options.report) sound = writeReportOf(world, rubric ? *rubric : world.mission, *recording, summary, *options.report) && sound;
+    if (options.report)
+        sound =
+            writeReportOf(world, rubric ? *rubric : world.mission, *recording, summary, *options.report) &&
+            sound;
     printSummary(summary, options.json);
     return sound ? kDone : kMachineFailed;
 }

@@ -32,7 +32,8 @@ struct Prepared {
 
 fs::path newRecordingPath(const Store& store, const std::string& scenario) {
     std::string stamp = core::formatUtc(now());
-    stamp.erase(std::remove_if(stamp.begin(), stamp.end(), [](char c) { return c == '-' || c == ':'; }), stamp.end());
+    stamp.erase(std::remove_if(stamp.begin(), stamp.end(), [](char c) { return c == '-' || c == ':'; }),
+                stamp.end());
     for (int i = 1;; ++i) {
         const fs::path path = store.folder().recordings() / fmt::format("{}-{}-{}.sgr", stamp, scenario, i);
         if (!fs::exists(path)) return path;
@@ -40,7 +41,8 @@ fs::path newRecordingPath(const Store& store, const std::string& scenario) {
 }
 
 /// Commands known from the start: the pilot's and the file's, by time.
-std::optional<std::vector<core::Command>> plannedCommands(const core::World& world, const RunOptions& options) {
+std::optional<std::vector<core::Command>> plannedCommands(const core::World& world,
+                                                          const RunOptions& options) {
     std::vector<core::Command> planned;
     if (options.pilot) planned.push_back({0, 0, core::PilotOrder{true}});
     if (!options.commands) return planned;
@@ -49,7 +51,8 @@ std::optional<std::vector<core::Command>> plannedCommands(const core::World& wor
     auto loaded = core::loadCommands(options.commands->string(), *text, core::orderNames(world));
     if (!loaded) return tell(loaded.error().text()), std::nullopt;
     planned.insert(planned.end(), loaded->begin(), loaded->end());
-    std::stable_sort(planned.begin(), planned.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
+    std::stable_sort(planned.begin(), planned.end(),
+                     [](const auto& a, const auto& b) { return a.tick < b.tick; });
     return planned;
 }
 
@@ -73,7 +76,8 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     p.header.startedUnix_s = now().unix_s;
     p.header.documents = *documents;
     p.header.planned = std::move(*planned);
-    p.recording = options.record ? fs::absolute(*options.record) : newRecordingPath(store, p.world->scenarioId);
+    p.recording =
+        options.record ? fs::absolute(*options.record) : newRecordingPath(store, p.world->scenarioId);
     return p;
 }
 
@@ -82,21 +86,23 @@ std::optional<Prepared> prepareResumed(const fs::path& path) {
     if (!bytes) return tell(bytes.error().message), std::nullopt;
     const auto recording = core::readRecording(*bytes);
     if (!recording) return tell(path.string() + ": " + recording.error()), std::nullopt;
-    if (recording->end) return tell(path.string() + ": this run has ended; there is nothing to take up again"), std::nullopt;
+    if (recording->end)
+        return tell(path.string() + ": this run has ended; there is nothing to take up again"), std::nullopt;
     auto world = core::worldOf(*recording);
     if (!world) return tell(world.error().text()), std::nullopt;
     auto state = core::stateAt(**world, *recording, recording->endTick);
     if (!state) return tell(path.string() + ": " + state.error()), std::nullopt;
     tell(fmt::format("{}: {}; taken up again at {}", path.string(), recording->damage,
                      clock(core::timeOfTick(recording->endTick).seconds())));
-    return Prepared{std::move(world).value(), std::move(state).value(), recording->header, recording->events, fs::absolute(path),
-                    recording->whole_bytes};
+    return Prepared{std::move(world).value(), std::move(state).value(), recording->header,
+                    recording->events,        fs::absolute(path),       recording->whole_bytes};
 }
 
 /// Keeps the simulation's seconds to those of the wall, when asked to.
 class Pace {
 public:
-    Pace(bool fast, const core::State& state) : m_fast(fast), m_begin_s(wallClock_s() - state.time().seconds()) {}
+    Pace(bool fast, const core::State& state)
+        : m_fast(fast), m_begin_s(wallClock_s() - state.time().seconds()) {}
     void wait(const core::State& state) const {
         const double early_s = m_begin_s + state.time().seconds() - wallClock_s();
         if (!m_fast && early_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(early_s));
@@ -107,15 +113,18 @@ private:
     double m_begin_s;
 };
 
-std::string progressLine(const core::World& world, const core::State& state, double begin_s, double beganAt_s) {
+std::string progressLine(const core::World& world, const core::State& state, double begin_s,
+                         double beganAt_s) {
     const std::size_t done = state.assessment.currentTask, count = world.mission.tasks.size();
     const double pace = (state.time().seconds() - beganAt_s) / std::max(0.1, wallClock_s() - begin_s);
     return fmt::format("{}  {}  score {:.0f}  {:.0f} times real time", clock(state.time().seconds()),
-                       done < count ? world.mission.tasks[done]->title() : "all tasks done", core::scoreOf(state.assessment), pace);
+                       done < count ? world.mission.tasks[done]->title() : "all tasks done",
+                       core::scoreOf(state.assessment), pace);
 }
 
 /// The loop: until the exercise is over, or the time asked for is.
-void sail(core::Session& session, const RunOptions& options, std::vector<core::Event>& events, TrackOutput& track) {
+void sail(core::Session& session, const RunOptions& options, std::vector<core::Event>& events,
+          TrackOutput& track) {
     const Pace pace(options.fast, session.state());
     Progress progress;
     const double begin_s = wallClock_s(), beganAt_s = session.state().time().seconds();
@@ -134,8 +143,9 @@ void sail(core::Session& session, const RunOptions& options, std::vector<core::E
 void tellStopped(const core::World& world, const std::vector<core::Event>& events) {
     for (const core::Event& e : events) {
         if (e.kind != core::EventKind::Stopped) continue;
-        tell(fmt::format("The exercise was stopped at {}: {} of {} ({}) is not a finite number.", clock(e.time().seconds()),
-                         core::componentName(e.index), world.ships[e.ship]->name, world.ships[e.ship]->vessel.id));
+        tell(fmt::format("The exercise was stopped at {}: {} of {} ({}) is not a finite number.",
+                         clock(e.time().seconds()), core::componentName(e.index), world.ships[e.ship]->name,
+                         world.ships[e.ship]->vessel.id));
     }
 }
 
@@ -149,8 +159,9 @@ int runExercise(Store& store, const RunOptions& options) {
     if (!prepared) return kBadRequest;
 
     std::string trouble;
-    auto file = prepared->whole_bytes ? RecordingFile::append(prepared->recording, *prepared->whole_bytes, trouble)
-                                      : RecordingFile::create(prepared->recording, trouble);
+    auto file = prepared->whole_bytes
+                    ? RecordingFile::append(prepared->recording, *prepared->whole_bytes, trouble)
+                    : RecordingFile::create(prepared->recording, trouble);
     if (!file) return tell(trouble), kMachineFailed;
     core::RecordingWriter writer([&](std::span<const std::byte> bytes) { file->write(bytes); });
     const db::NewRun run = filing.newRun(prepared->header, *prepared->world, prepared->recording);
@@ -170,7 +181,8 @@ int runExercise(Store& store, const RunOptions& options) {
     tellStopped(*prepared->world, prepared->events);
 
     const core::World& world = *prepared->world;
-    RunSummary summary = summarise(world, world.mission, session.state().assessment, assessmentEvents(prepared->events));
+    RunSummary summary =
+        summarise(world, world.mission, session.state().assessment, assessmentEvents(prepared->events));
     summary.simTime_s = session.state().time().seconds();
     summary.wallTime_s = wallClock_s() - begin_s;
     summary.stateHash = core::toHex(core::stateHash(session.state()));
@@ -180,9 +192,11 @@ int runExercise(Store& store, const RunOptions& options) {
     sound = track.write() && sound;
     if (options.report) {
         const auto bytes = readBinaryFile(prepared->recording);
-        const auto recording = bytes ? core::readRecording(*bytes) : core::Result<core::Recording, std::string>(bytes.error().message);
+        const auto recording = bytes ? core::readRecording(*bytes)
+                                     : core::Result<core::Recording, std::string>(bytes.error().message);
         if (!recording) tell(recording.error());
-        sound = recording && writeReportOf(world, world.mission, *recording, summary, *options.report) && sound;
+        sound =
+            recording && writeReportOf(world, world.mission, *recording, summary, *options.report) && sound;
     }
     printSummary(summary, options.json);
     return sound ? kDone : kMachineFailed;

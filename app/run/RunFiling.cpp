@@ -51,7 +51,8 @@ db::EndedRun endedRun(const db::NewRun& run, const RunSummary& summary, bool fin
 
 }  // namespace
 
-db::NewRun RunFiling::newRun(const core::RecordingHeader& header, const core::World& world, const fs::path& recording) {
+db::NewRun RunFiling::newRun(const core::RecordingHeader& header, const core::World& world,
+                             const fs::path& recording) {
     db::NewRun run;
     run.scenarioKey = world.scenarioId;
     run.scenarioName = world.scenarioName;
@@ -73,8 +74,8 @@ std::string RunFiling::begin(const db::NewRun& run) {
 }
 
 std::string RunFiling::end(const db::NewRun& run, const RunSummary& summary, bool finished) {
-    const std::string failed =
-        attempt(m_store, [&](db::Database& database) { db::fileRun(database, endedRun(run, summary, finished)); });
+    const std::string failed = attempt(
+        m_store, [&](db::Database& database) { db::fileRun(database, endedRun(run, summary, finished)); });
     if (failed.empty()) return {};
     return failed + "\n" + note(run.recordingFile);
 }
@@ -83,7 +84,9 @@ std::string RunFiling::note(const std::string& recordingName) {
     const fs::path recording = m_store.folder().pathOf(recordingName);
     const fs::path notePath = m_store.folder().recordings() / (recording.filename().string() + ".unfiled");
     const auto failed = writeTextFile(notePath, recordingName + "\n");
-    if (failed) return "The run is kept in " + recording.string() + " but could not be noted for filing: " + failed->message;
+    if (failed)
+        return "The run is kept in " + recording.string() +
+               " but could not be noted for filing: " + failed->message;
     return "The run is kept in " + recording.string() + " and will be filed at a later start.";
 }
 
@@ -113,8 +116,9 @@ std::vector<std::string> RunFiling::fileNoted() {
         while (!recording.empty() && recording.back() == '\n') recording.pop_back();
         const std::string failed = fileFromRecording(m_store.folder().pathOf(recording));
         if (failed.empty()) fs::remove(entry.path(), ignored);
-        messages.push_back(failed.empty() ? "Filed the earlier run " + recording + "."
-                                          : "The earlier run " + recording + " still cannot be filed: " + failed);
+        messages.push_back(failed.empty()
+                               ? "Filed the earlier run " + recording + "."
+                               : "The earlier run " + recording + " still cannot be filed: " + failed);
     }
     return messages;
 }

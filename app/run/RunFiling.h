@@ -10,14 +10,15 @@
 
 namespace sagara::run {
 
-/// Enters runs into the database. None of these throws or stops a run: what cannot be filed is noted beside the recordings
-/// (recordings/*.unfiled) and filed by a later start.
+/// Enters runs into the database. None of these throws or stops a run: what cannot be filed is noted beside
+/// the recordings (recordings/*.unfiled) and filed by a later start.
 class RunFiling {
 public:
     explicit RunFiling(Store& store) : m_store(store) {}
 
     /// What can be told of a run before it begins. Names the trainee, who is added to the roster when new.
-    db::NewRun newRun(const core::RecordingHeader& header, const core::World& world, const std::filesystem::path& recording);
+    db::NewRun newRun(const core::RecordingHeader& header, const core::World& world,
+                      const std::filesystem::path& recording);
     /// Marks it as running. Returns a message when that failed.
     std::string begin(const db::NewRun& run);
     /// Enters its end and grade, or notes the recording for later and says so.

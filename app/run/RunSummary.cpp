@@ -1,8 +1,8 @@
 #include "app/run/RunSummary.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace sagara::run {
@@ -14,20 +14,24 @@ using Json = nlohmann::ordered_json;
 /// Not more digits than mean something.
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
-std::string whyNotPassed(const core::Mission& mission, const core::Assessment& assessment, const RunSummary& summary) {
+std::string whyNotPassed(const core::Mission& mission, const core::Assessment& assessment,
+                         const RunSummary& summary) {
     for (std::size_t i = 0; i < assessment.criteria.size(); ++i) {
         const core::Criterion::Terms& terms = mission.criteria[i]->terms();
         if (terms.fails && assessment.criteria[i].broken) return "failed: " + terms.title;
     }
     if (!core::allTasksDone(assessment)) return "not done: " + mission.tasks[assessment.currentTask]->title();
-    if (summary.score < mission.passScore) return fmt::format("score {:.0f}, {:.0f} needed", summary.score, mission.passScore);
+    if (summary.score < mission.passScore)
+        return fmt::format("score {:.0f}, {:.0f} needed", summary.score, mission.passScore);
     return {};
 }
 
 Json taskArray(const RunSummary& summary) {
     Json array = Json::array();
     for (const RunSummary::Task& t : summary.tasks) {
-        array.push_back({{"id", t.id}, {"done", t.done}, {"time_s", t.done ? Json(rounded(t.time_s, 0.01)) : Json(nullptr)}});
+        array.push_back({{"id", t.id},
+                         {"done", t.done},
+                         {"time_s", t.done ? Json(rounded(t.time_s, 0.01)) : Json(nullptr)}});
     }
     return array;
 }
@@ -49,7 +53,8 @@ Json lossArray(const RunSummary& summary) {
     return array;
 }
 
-RunSummary::Loss lossOf(const core::World& world, const core::Mission& mission, const AssessmentEvent& event) {
+RunSummary::Loss lossOf(const core::World& world, const core::Mission& mission,
+                        const AssessmentEvent& event) {
     const core::Criterion& criterion = *mission.criteria[event.index];
     const core::Display display = criterion.display();
     const core::Deduction& d = event.deduction;
@@ -81,10 +86,17 @@ std::vector<AssessmentEvent> assessmentEvents(const std::vector<core::Event>& ev
     for (const core::Event& e : events) {
         AssessmentEvent a;
         switch (e.kind) {
-            case core::EventKind::TaskDone: a.kind = AssessmentEvent::Kind::TaskDone; break;
-            case core::EventKind::Deduction: a.kind = AssessmentEvent::Kind::Deduction; break;
-            case core::EventKind::MissionFailed: a.kind = AssessmentEvent::Kind::Failed; break;
-            default: continue;
+            case core::EventKind::TaskDone:
+                a.kind = AssessmentEvent::Kind::TaskDone;
+                break;
+            case core::EventKind::Deduction:
+                a.kind = AssessmentEvent::Kind::Deduction;
+                break;
+            case core::EventKind::MissionFailed:
+                a.kind = AssessmentEvent::Kind::Failed;
+                break;
+            default:
+                continue;
         }
         a.index = static_cast<std::uint32_t>(e.index);
         a.deduction = {e.time(), e.place, e.value, e.limit, e.points};
@@ -93,22 +105,24 @@ std::vector<AssessmentEvent> assessmentEvents(const std::vector<core::Event>& ev
     return reported;
 }
 
-RunSummary summarise(const core::World& world, const core::Mission& mission, const core::Assessment& assessment,
-                     const std::vector<AssessmentEvent>& reported) {
+RunSummary summarise(const core::World& world, const core::Mission& mission,
+                     const core::Assessment& assessment, const std::vector<AssessmentEvent>& reported) {
     RunSummary s;
     s.scenario = world.scenarioId;
     s.score = core::scoreOf(assessment);
     s.passed = core::passed(mission, assessment);
     for (std::size_t i = 0; i < mission.tasks.size(); ++i) {
         const core::TaskMemory& memory = assessment.tasks[i];
-        s.tasks.push_back({mission.tasks[i]->id(), mission.tasks[i]->title(), memory.done, memory.doneAt.seconds()});
+        s.tasks.push_back(
+            {mission.tasks[i]->id(), mission.tasks[i]->title(), memory.done, memory.doneAt.seconds()});
     }
     for (const AssessmentEvent& event : reported) {
         if (event.kind == AssessmentEvent::Kind::Deduction && event.index < mission.criteria.size()) {
             s.losses.push_back(lossOf(world, mission, event));
         }
     }
-    std::stable_sort(s.losses.begin(), s.losses.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
+    std::stable_sort(s.losses.begin(), s.losses.end(),
+                     [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
     if (!s.passed) s.whyNot = whyNotPassed(mission, assessment, s);
     return s;
 }
@@ -138,8 +152,8 @@ std::string toText(const RunSummary& s) {
     }
     if (s.losses.empty()) text += "  no points were deducted\n";
     for (const RunSummary::Loss& l : s.losses) {
-        text += fmt::format("  {:>7}  -{:<3.0f} {}: {} {:.2f} {}, limit {:.2f}\n", clock(l.time_s), l.points, l.title,
-                            l.quantity, l.value, l.unit, l.limit);
+        text += fmt::format("  {:>7}  -{:<3.0f} {}: {} {:.2f} {}, limit {:.2f}\n", clock(l.time_s), l.points,
+                            l.title, l.quantity, l.value, l.unit, l.limit);
     }
     text += fmt::format("  sailed {} in {:.1f} s", clock(s.simTime_s), s.wallTime_s);
     if (s.wallTime_s > 0.0) text += fmt::format(", {:.0f} times real time", s.simTime_s / s.wallTime_s);

@@ -17,7 +17,7 @@ struct RunSummary {
         double time_s = 0.0;
     };
     struct Loss {
-        std::string id;        ///< of the criterion
+        std::string id;  ///< of the criterion
         std::string title;
         std::string quantity;
         std::string unit;
@@ -42,13 +42,14 @@ struct RunSummary {
 };
 
 /// From the assessment as it stands and the deductions and tasks it reported.
-RunSummary summarise(const core::World& world, const core::Mission& mission, const core::Assessment& assessment,
-                     const std::vector<core::AssessmentEvent>& reported);
+RunSummary summarise(const core::World& world, const core::Mission& mission,
+                     const core::Assessment& assessment, const std::vector<core::AssessmentEvent>& reported);
 
 /// The reports of the assessment among the events of a run.
 std::vector<core::AssessmentEvent> assessmentEvents(const std::vector<core::Event>& events);
 
-/// {"scenario", "passed", "score", "tasks", "deductions", "sim_time_s", "wall_time_s", "state_hash", "graded_from"}, one line.
+/// {"scenario", "passed", "score", "tasks", "deductions", "sim_time_s", "wall_time_s", "state_hash",
+/// "graded_from"}, one line.
 std::string toJson(const RunSummary& summary);
 /// Result, tasks, deductions, for a terminal; ends with "state-hash: HEX".
 std::string toText(const RunSummary& summary);

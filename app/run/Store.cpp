@@ -12,13 +12,17 @@
 namespace sagara::run {
 namespace {
 
-constexpr std::array kKinds{core::DocumentKind::Vessel, core::DocumentKind::Area, core::DocumentKind::Scenario};
+constexpr std::array kKinds{core::DocumentKind::Vessel, core::DocumentKind::Area,
+                            core::DocumentKind::Scenario};
 
 db::DocumentTable tableOf(core::DocumentKind kind) {
     switch (kind) {
-        case core::DocumentKind::Vessel: return db::DocumentTable::Vessel;
-        case core::DocumentKind::Area: return db::DocumentTable::Area;
-        case core::DocumentKind::Scenario: return db::DocumentTable::Scenario;
+        case core::DocumentKind::Vessel:
+            return db::DocumentTable::Vessel;
+        case core::DocumentKind::Area:
+            return db::DocumentTable::Area;
+        case core::DocumentKind::Scenario:
+            return db::DocumentTable::Scenario;
     }
     return db::DocumentTable::Vessel;
 }
@@ -32,10 +36,13 @@ std::string nameIn(const std::string& text, const std::string& id) {
 }  // namespace
 
 core::Utc now() {
-    return {std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch()).count()};
+    return {
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count()};
 }
 
-core::Result<std::unique_ptr<Store>, std::string> Store::open(const std::optional<std::filesystem::path>& dataFolder) {
+core::Result<std::unique_ptr<Store>, std::string> Store::open(
+    const std::optional<std::filesystem::path>& dataFolder) {
     auto folder = db::DataFolder::open(dataFolder);
     if (!folder) return folder.error();
     std::unique_ptr<Store> store(new Store(std::move(folder).value()));
@@ -61,7 +68,9 @@ void Store::takeInAssets() {
             const auto text = m_assets.find(kind, id);
             const auto known = documents.entry(id);
             const bool ownedByUser = known && known->origin == db::Origin::User;
-            if (!text || ownedByUser || (known && known->contentHash == core::hashOf(std::string_view(*text)))) continue;
+            if (!text || ownedByUser ||
+                (known && known->contentHash == core::hashOf(std::string_view(*text))))
+                continue;
             documents.put({id, nameIn(*text, id), *text, db::Origin::Shipped}, now());
         }
     }
@@ -75,9 +84,11 @@ std::optional<std::string> Store::find(core::DocumentKind kind, const std::strin
     return std::move(document->text);
 }
 
-core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source, const std::string& idOrFile) {
+core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source,
+                                                        const std::string& idOrFile) {
     if (core::config::isId(idOrFile)) {
-        if (auto text = source.find(core::DocumentKind::Scenario, idOrFile)) return core::NamedText{idOrFile, std::move(*text)};
+        if (auto text = source.find(core::DocumentKind::Scenario, idOrFile))
+            return core::NamedText{idOrFile, std::move(*text)};
     }
     std::error_code ignored;
     if (std::filesystem::exists(idOrFile, ignored)) {
@@ -85,7 +96,8 @@ core::Result<core::NamedText, std::string> findScenario(const core::DocumentSour
         if (!text) return text.error().message;
         return core::NamedText{idOrFile, std::move(text).value()};
     }
-    return "there is no scenario \"" + idOrFile + "\" in the database and no file of that name; see `sagara-sim list scenarios`";
+    return "there is no scenario \"" + idOrFile +
+           "\" in the database and no file of that name; see `sagara-sim list scenarios`";
 }
 
 }  // namespace sagara::run

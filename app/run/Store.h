@@ -14,15 +14,18 @@
 
 namespace sagara::run {
 
-/// The installation as a program sees it: data folder, database and shipped documents. At its first start the database
-/// takes in assets/; later it takes in what a newer Sagara ships, unless the user has a document of that name of his own.
+/// The installation as a program sees it: data folder, database and shipped documents. At its first start the
+/// database takes in assets/; later it takes in what a newer Sagara ships, unless the user has a document of
+/// that name of his own.
 ///
-/// A database that cannot be used (locked, damaged, newer, read-only, full) does not stop a run: the documents then come
-/// from assets/, `trouble` says what is the matter, and the run is filed later from its recording.
+/// A database that cannot be used (locked, damaged, newer, read-only, full) does not stop a run: the
+/// documents then come from assets/, `trouble` says what is the matter, and the run is filed later from its
+/// recording.
 class Store final : public core::DocumentSource {
 public:
     /// The error is for the person who chose the folder.
-    static core::Result<std::unique_ptr<Store>, std::string> open(const std::optional<std::filesystem::path>& dataFolder);
+    static core::Result<std::unique_ptr<Store>, std::string> open(
+        const std::optional<std::filesystem::path>& dataFolder);
 
     std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override;
 
@@ -44,7 +47,9 @@ private:
 /// The wall clock.
 core::Utc now();
 
-/// A scenario by id, or by the name of a file. Problems of the file are its reader's; here only whether there is a text.
-core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source, const std::string& idOrFile);
+/// A scenario by id, or by the name of a file. Problems of the file are its reader's; here only whether there
+/// is a text.
+core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source,
+                                                        const std::string& idOrFile);
 
 }  // namespace sagara::run

@@ -8,8 +8,10 @@ namespace sagara::run {
 
 TrackCsv::TrackCsv(const core::World& world)
     : m_world(world),
-      m_text("time_s,ship,lat_deg,lon_deg,north_m,east_m,heave_m,roll_deg,pitch_deg,heading_deg,surge_mps,sway_mps,"
-             "yaw_rate_degps,rudder_deg,shaft_rpm,depth_under_keel_m,score\n") {}
+      m_text(
+          "time_s,ship,lat_deg,lon_deg,north_m,east_m,heave_m,roll_deg,pitch_deg,heading_deg,surge_mps,sway_"
+          "mps,"
+          "yaw_rate_degps,rudder_deg,shaft_rpm,depth_under_keel_m,score\n") {}
 
 void TrackCsv::add(const core::TrackSample& sample) {
     using core::kDegree_rad;
@@ -22,11 +24,13 @@ void TrackCsv::add(const core::TrackSample& sample) {
         double shaft_rps = 0.0;
         for (std::size_t k = 0; k < shafts; ++k) shaft_rps += s.shafts_rps[k] / static_cast<double>(shafts);
         m_text += fmt::format(
-            "{:.2f},{},{:.7f},{:.7f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.4f},{:.2f},{:.2f},{:.2f},{:.2f}\n",
-            core::timeOfTick(sample.tick).seconds(), m_world.ships[i]->id, geo.lat_deg, geo.lon_deg, m.north_m, m.east_m,
-            m.down_m, m.roll_rad / kDegree_rad, m.pitch_rad / kDegree_rad, core::wrapTwoPi(trueHeading_rad) / kDegree_rad,
-            m.surge_mps, m.sway_mps, m.yawRate_radps / kDegree_rad, s.rudder_rad / kDegree_rad,
-            shaft_rps / core::kRpm_rps, s.observation.underKeel_m, s.score);
+            "{:.2f},{},{:.7f},{:.7f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.4f},{:.2f},{:"
+            ".2f},{:.2f},{:.2f}\n",
+            core::timeOfTick(sample.tick).seconds(), m_world.ships[i]->id, geo.lat_deg, geo.lon_deg,
+            m.north_m, m.east_m, m.down_m, m.roll_rad / kDegree_rad, m.pitch_rad / kDegree_rad,
+            core::wrapTwoPi(trueHeading_rad) / kDegree_rad, m.surge_mps, m.sway_mps,
+            m.yawRate_radps / kDegree_rad, s.rudder_rad / kDegree_rad, shaft_rps / core::kRpm_rps,
+            s.observation.underKeel_m, s.score);
     }
 }
 

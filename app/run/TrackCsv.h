@@ -7,8 +7,9 @@
 
 namespace sagara::run {
 
-/// Rows of a track file, one for each own ship and moment. Heave is positive downward, roll with the starboard side down,
-/// pitch with the bow up; shaft_rpm is the mean of the shafts; score is that of the first ship.
+/// Rows of a track file, one for each own ship and moment. Heave is positive downward, roll with the
+/// starboard side down, pitch with the bow up; shaft_rpm is the mean of the shafts; score is that of the
+/// first ship.
 class TrackCsv {
 public:
     explicit TrackCsv(const core::World& world);

@@ -18,7 +18,8 @@ Problems problemsOf(const core::Result<T, Problems>& loaded) {
     return loaded ? Problems() : loaded.error();
 }
 
-core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const Store& store, core::NamedText scenario) {
+core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const Store& store,
+                                                                   core::NamedText scenario) {
     const auto documents = core::collectDocuments(std::move(scenario), store);
     if (!documents) return documents.error();
     return core::buildWorld(*documents, 1);
@@ -26,7 +27,8 @@ core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const Store& 
 
 /// Commands and rubrics are read against the scenario they name.
 template <typename Check>
-Problems checkAgainstScenario(const Store& store, const std::string& name, const std::string& text, Check&& check) {
+Problems checkAgainstScenario(const Store& store, const std::string& name, const std::string& text,
+                              Check&& check) {
     core::config::Document document(name, text);
     core::config::Reader in(document.root());
     const std::string id = in.id("scenario");
@@ -49,16 +51,20 @@ Problems check(const Store& store, const std::string& name, const std::string& t
                                                           {"rubric", Kind::Rubric}});
     if (!kind) return document.problems();
     switch (*kind) {
-        case Kind::Vessel: return problemsOf(core::loadVessel(name, text));
-        case Kind::Area: return problemsOf(core::loadArea(name, text));
-        case Kind::Scenario: return problemsOf(worldOf(store, {name, text}));
+        case Kind::Vessel:
+            return problemsOf(core::loadVessel(name, text));
+        case Kind::Area:
+            return problemsOf(core::loadArea(name, text));
+        case Kind::Scenario:
+            return problemsOf(worldOf(store, {name, text}));
         case Kind::Commands:
             return checkAgainstScenario(store, name, text, [&](const core::World& world) {
                 return problemsOf(core::loadCommands(name, text, core::orderNames(world)));
             });
         case Kind::Rubric:
-            return checkAgainstScenario(store, name, text,
-                                        [&](const core::World& world) { return problemsOf(core::loadRubric(name, text, world)); });
+            return checkAgainstScenario(store, name, text, [&](const core::World& world) {
+                return problemsOf(core::loadRubric(name, text, world));
+            });
     }
     return Problems(name);
 }

@@ -25,11 +25,13 @@ struct Request {
 CLI::App* addRun(CLI::App& app, Request& r) {
     CLI::App* run = app.add_subcommand("run", "sail an exercise, record and grade it");
     auto* scenario = run->add_option("--scenario", r.run.scenario, "id in the database, or a file");
-    run->add_option("--helm", r.helm, "who sails: the scripted pilot, or nobody")->check(CLI::IsMember({"pilot", "none"}));
+    run->add_option("--helm", r.helm, "who sails: the scripted pilot, or nobody")
+        ->check(CLI::IsMember({"pilot", "none"}));
     run->add_option("--level", r.run.level, "difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
     run->add_option("--commands", r.run.commands, "command file");
     run->add_flag("--fast", r.run.fast, "as fast as the machine can");
-    run->add_option("--duration-s", r.run.duration_s, "end after so many seconds")->check(CLI::Range(0.0, 7.0 * 86400.0));
+    run->add_option("--duration-s", r.run.duration_s, "end after so many seconds")
+        ->check(CLI::Range(0.0, 7.0 * 86400.0));
     run->add_option("--seed", r.run.seed, "of sea and gusts (1)");
     run->add_option("--trainee", r.run.trainee, "who sails, for the record; added to the roster when new");
     run->add_option("--type", r.run.type, "familiarise, train, assess, self-study or demo (train)")
@@ -48,11 +50,14 @@ CLI::App* addRun(CLI::App& app, Request& r) {
 }
 
 CLI::App* addReplay(CLI::App& app, Request& r) {
-    CLI::App* replay = app.add_subcommand("replay", "run a recording again to the bit, or grade it by another rubric");
+    CLI::App* replay =
+        app.add_subcommand("replay", "run a recording again to the bit, or grade it by another rubric");
     replay->add_option("recording", r.replay.recording, "recording file")->required();
-    replay->add_option("--until-s", r.replay.until_s, "stop at this second")->check(CLI::Range(0.0, 7.0 * 86400.0));
+    replay->add_option("--until-s", r.replay.until_s, "stop at this second")
+        ->check(CLI::Range(0.0, 7.0 * 86400.0));
     replay->add_option("--track", r.replay.track, "track file, CSV");
-    replay->add_option("--track-hz", r.replay.track_Hz, "rows a second in it (1)")->check(CLI::Range(0.01, 50.0));
+    replay->add_option("--track-hz", r.replay.track_Hz, "rows a second in it (1)")
+        ->check(CLI::Range(0.01, 50.0));
     replay->add_option("--rubric", r.replay.rubric, "grade by the mission of this rubric file");
     replay->add_option("--report", r.replay.report, "report file, PDF");
     replay->add_flag("--json", r.replay.json, "one JSON object on standard output");
@@ -74,7 +79,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     CLI::App* run = addRun(app, r);
     CLI::App* replay = addReplay(app, r);
-    CLI::App* validate = app.add_subcommand("validate-document", "check a vessel, area, scenario, command or rubric file");
+    CLI::App* validate =
+        app.add_subcommand("validate-document", "check a vessel, area, scenario, command or rubric file");
     validate->add_option("file", r.document)->required();
     CLI::App* list = app.add_subcommand("list", "show what the database holds");
     list->add_option("what", r.list, "vessels, areas, scenarios or runs")
@@ -97,7 +103,8 @@ int main(int argc, char** argv) {
     r.run.pilot = r.helm == "pilot";
     if (*run) return withStore(r, [](Store& s, const Request& q) { return runExercise(s, q.run); });
     if (*replay) return replayRecording(r.replay);
-    if (*validate) return withStore(r, [](Store& s, const Request& q) { return validateDocument(s, q.document); });
+    if (*validate)
+        return withStore(r, [](Store& s, const Request& q) { return validateDocument(s, q.document); });
     if (*list) return withStore(r, [](Store& s, const Request& q) { return listDatabase(s, q.list); });
     return withStore(r, [](Store& s, const Request& q) { return backupDatabase(s, q.backup); });
 }

@@ -71,13 +71,15 @@ std::unique_ptr<const Criterion> makeAnchorPlaceCriterion(Criterion::Terms terms
     return std::make_unique<AnchorPlaceCriterion>(std::move(terms), place, limit_m);
 }
 
-std::unique_ptr<const Criterion> makeLetGoSpeedCriterion(Criterion::Terms terms, config::Reader& in, const MissionContext&) {
+std::unique_ptr<const Criterion> makeLetGoSpeedCriterion(Criterion::Terms terms, config::Reader& in,
+                                                         const MissionContext&) {
     const double least_mps = kKnot_mps * in.number("least_kn", {-5.0, 5.0, "kn"});
     const double most_mps = kKnot_mps * in.number("most_kn", {-5.0, 5.0, "kn"});
     return std::make_unique<LetGoSpeedCriterion>(std::move(terms), least_mps, most_mps);
 }
 
-std::unique_ptr<const Criterion> makeAnchorDragCriterion(Criterion::Terms terms, config::Reader& in, const MissionContext&) {
+std::unique_ptr<const Criterion> makeAnchorDragCriterion(Criterion::Terms terms, config::Reader& in,
+                                                         const MissionContext&) {
     const double limit_m = in.number("limit_m", {0.5, 500.0, "m"});
     return std::make_unique<AnchorDragCriterion>(std::move(terms), limit_m);
 }

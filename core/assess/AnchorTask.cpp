@@ -20,8 +20,8 @@ struct AnchorGoal {
 
 bool wholeSecond(SimTime time) { return time.us % 1'000'000 == 0; }
 
-/// Notes: A is the time (s) since when she has stayed about the noted place, B since when the anchor has not moved; both
-/// restart.
+/// Notes: A is the time (s) since when she has stayed about the noted place, B since when the anchor has not
+/// moved; both restart.
 class AnchorTask final : public Task {
 public:
     AnchorTask(std::string id, std::string title, const AnchorGoal& goal)

@@ -4,8 +4,8 @@
 
 namespace sagara::core {
 
-/// "spring-off": singled up to the lines in "keep", then, with these still holding, turned "swing_deg" from the heading she
-/// lay at.
+/// "spring-off": singled up to the lines in "keep", then, with these still holding, turned "swing_deg" from
+/// the heading she lay at.
 std::unique_ptr<const Task> makeSpringOffTask(std::string id, std::string title, config::Reader& in,
                                               const MissionContext& context);
 

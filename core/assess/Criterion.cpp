@@ -14,12 +14,14 @@ namespace {
 constexpr double kEpisodeEnds_s = 5.0;
 constexpr double kCountsAgain_s = 30.0;
 
-using Make = std::unique_ptr<const Criterion> (*)(Criterion::Terms terms, config::Reader& in, const MissionContext& context);
+using Make = std::unique_ptr<const Criterion> (*)(Criterion::Terms terms, config::Reader& in,
+                                                  const MissionContext& context);
 
 }  // namespace
 
 void Criterion::narrow(Limits&, const Observation&, const RouteProgress&) const {}
-void Criterion::observe(const Observation&, const RouteProgress&, CriterionMemory&, std::vector<Deduction>&) const {}
+void Criterion::observe(const Observation&, const RouteProgress&, CriterionMemory&,
+                        std::vector<Deduction>&) const {}
 void Criterion::happened(const Happening&, CriterionMemory&, std::vector<Deduction>&) const {}
 void Criterion::close(SimTime, CriterionMemory&, std::vector<Deduction>&) const {}
 

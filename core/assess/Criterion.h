@@ -26,18 +26,19 @@ struct Deduction {
 
 /// What a criterion remembers. An episode is open while the limit is broken, and five seconds more.
 struct CriterionMemory {
-    double lost = 0.0;     ///< points so far
-    bool broken = false;   ///< a criterion that fails the run was broken
+    double lost = 0.0;    ///< points so far
+    bool broken = false;  ///< a criterion that fails the run was broken
     bool open = false;
-    Deduction worst;       ///< of the open episode; its time is when the episode began
-    double excess = 0.0;   ///< how far `worst` is beyond its limit
+    Deduction worst;      ///< of the open episode; its time is when the episode began
+    double excess = 0.0;  ///< how far `worst` is beyond its limit
     SimTime lastBroken;
-    bool begun = false;    ///< the criterion's own notes; their meaning is in its file
+    bool begun = false;  ///< the criterion's own notes; their meaning is in its file
     double note = 0.0;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.lost, self.broken, self.open, self.worst, self.excess, self.lastBroken.us, self.begun, self.note);
+        ar(self.lost, self.broken, self.open, self.worst, self.excess, self.lastBroken.us, self.begun,
+           self.note);
     }
 };
 
@@ -54,7 +55,8 @@ struct Limits {
     double underKeel_m = 0.0;          ///< at least
 };
 
-/// One limit of the rubric: what it weighs at most and what each breach costs. Immutable; its memory is in State.
+/// One limit of the rubric: what it weighs at most and what each breach costs. Immutable; its memory is in
+/// State.
 class Criterion {
 public:
     struct Terms {
@@ -74,7 +76,8 @@ public:
     /// At every observation. Deductions are appended to `out`.
     virtual void observe(const Observation& now, const RouteProgress& route, CriterionMemory& memory,
                          std::vector<Deduction>& out) const;
-    virtual void happened(const Happening& happening, CriterionMemory& memory, std::vector<Deduction>& out) const;
+    virtual void happened(const Happening& happening, CriterionMemory& memory,
+                          std::vector<Deduction>& out) const;
     /// At the end of the run.
     virtual void close(SimTime time, CriterionMemory& memory, std::vector<Deduction>& out) const;
 
@@ -86,8 +89,8 @@ private:
     Terms m_terms;
 };
 
-/// A criterion on something that lasts. Each episode is one deduction: the points of a breach, and again for every
-/// half minute it goes on.
+/// A criterion on something that lasts. Each episode is one deduction: the points of a breach, and again for
+/// every half minute it goes on.
 class EpisodeCriterion : public Criterion {
 public:
     using Criterion::Criterion;
@@ -102,7 +105,8 @@ protected:
         double limit = 0.0;
         double excess = 0.0;  ///< to compare two breaches: larger is worse
     };
-    virtual Measure measure(const Observation& now, const RouteProgress& route, CriterionMemory& memory) const = 0;
+    virtual Measure measure(const Observation& now, const RouteProgress& route,
+                            CriterionMemory& memory) const = 0;
 };
 
 /// Reads one criterion by its "kind": see the registry in Criterion.cpp.

@@ -4,7 +4,8 @@
 
 namespace sagara::core {
 
-/// "contact-speed": touching a quay's fenders, a quay or a breakwater faster than "limit_mps". Each blow counts.
+/// "contact-speed": touching a quay's fenders, a quay or a breakwater faster than "limit_mps". Each blow
+/// counts.
 std::unique_ptr<const Criterion> makeContactSpeedCriterion(Criterion::Terms terms, config::Reader& in,
                                                            const MissionContext& context);
 /// "contact-energy": a blow of more than "limit_kJ" on fenders, quay, breakwater or shore.

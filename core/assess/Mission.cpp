@@ -5,15 +5,15 @@
 namespace sagara::core {
 namespace {
 
-/// How far back and on the route the ship is looked for: she may turn back a little, and must not skip to a later leg that
-/// runs past an earlier one.
+/// How far back and on the route the ship is looked for: she may turn back a little, and must not skip to a
+/// later leg that runs past an earlier one.
 constexpr double kBehind_m = 100.0, kAhead_m = 400.0;
 
 bool isOver(const Assessment& state) { return state.closed; }
 
 /// Hands deductions on as events, with the failing ones after them.
-void report(const Mission& mission, Assessment& state, std::uint32_t index, const std::vector<Deduction>& deductions,
-            std::vector<AssessmentEvent>& out) {
+void report(const Mission& mission, Assessment& state, std::uint32_t index,
+            const std::vector<Deduction>& deductions, std::vector<AssessmentEvent>& out) {
     for (const Deduction& d : deductions) out.push_back({AssessmentEvent::Kind::Deduction, index, d});
     if (state.failed || !mission.criteria[index]->terms().fails || !state.criteria[index].broken) return;
     state.failed = true;
@@ -22,8 +22,9 @@ void report(const Mission& mission, Assessment& state, std::uint32_t index, cons
 }
 
 template <typename Item, typename Read>
-std::vector<std::unique_ptr<const Item>> readItems(config::Reader& in, const char* key, const MissionContext& context,
-                                                   Read&& read, std::string (*idOf)(const Item&)) {
+std::vector<std::unique_ptr<const Item>> readItems(config::Reader& in, const char* key,
+                                                   const MissionContext& context, Read&& read,
+                                                   std::string (*idOf)(const Item&)) {
     std::vector<std::unique_ptr<const Item>> items;
     for (const config::Node& node : in.list(key)) {
         auto item = read(node, context);
@@ -74,12 +75,14 @@ void assess(const Mission& mission, const RoutePath& path, Assessment& state, co
         if (!mission.tasks[state.currentTask]->step(now, memory)) return;
         memory.done = true;
         memory.doneAt = now.time;
-        out.push_back({AssessmentEvent::Kind::TaskDone, state.currentTask, {now.time, now.position, 0.0, 0.0, 0.0}});
+        out.push_back(
+            {AssessmentEvent::Kind::TaskDone, state.currentTask, {now.time, now.position, 0.0, 0.0, 0.0}});
         ++state.currentTask;
     }
 }
 
-void assess(const Mission& mission, Assessment& state, const Happening& happening, std::vector<AssessmentEvent>& out) {
+void assess(const Mission& mission, Assessment& state, const Happening& happening,
+            std::vector<AssessmentEvent>& out) {
     if (isOver(state)) return;
     std::vector<Deduction> deductions;
     for (std::uint32_t i = 0; i < state.criteria.size(); ++i) {

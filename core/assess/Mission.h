@@ -49,13 +49,15 @@ Assessment startAssessment(const Mission& mission);
 /// One grading step. Events are appended to `out`.
 void assess(const Mission& mission, const RoutePath& path, Assessment& state, const Observation& now,
             std::vector<AssessmentEvent>& out);
-void assess(const Mission& mission, Assessment& state, const Happening& happening, std::vector<AssessmentEvent>& out);
+void assess(const Mission& mission, Assessment& state, const Happening& happening,
+            std::vector<AssessmentEvent>& out);
 /// Moves the progress along the route on to where the ship is now.
 void follow(const RoutePath& path, NorthEast position, RouteProgress& progress);
 /// What the mission allows a ship here, for displays and reports.
 Limits limitsAt(const Mission& mission, const Observation& now, const RouteProgress& route);
 /// Ends open episodes; after this nothing is graded any more.
-void closeAssessment(const Mission& mission, Assessment& state, const Observation& last, std::vector<AssessmentEvent>& out);
+void closeAssessment(const Mission& mission, Assessment& state, const Observation& last,
+                     std::vector<AssessmentEvent>& out);
 
 /// 0 to 100: what the criteria have left.
 double scoreOf(const Assessment& state);

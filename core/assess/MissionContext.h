@@ -16,8 +16,8 @@ inline constexpr int kLevels = 5;
 /// What tasks and criteria can name: places and routes of the exercise, lines of the graded ship.
 struct MissionContext {
     const Area& area;
-    const Route& route;      ///< may have no waypoints
-    const RoutePath& path;   ///< of the route
+    const Route& route;     ///< may have no waypoints
+    const RoutePath& path;  ///< of the route
     std::vector<std::string> lineIds;
 
     /// Bit mask of the lines named in a list.

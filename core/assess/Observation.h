@@ -10,18 +10,17 @@
 
 namespace sagara::core {
 
-
 /// An anchor as an assessor on the bridge knows it.
 struct AnchorObservation {
-    bool down = false;      ///< let go and on the bottom
-    NorthEast position;     ///< of the anchor
+    bool down = false;   ///< let go and on the bottom
+    NorthEast position;  ///< of the anchor
     double cableOut_m = 0.0;
-    double dragged_m = 0.0;      ///< since it last came to the ground
+    double dragged_m = 0.0;  ///< since it last came to the ground
     double dragSpeed_mps = 0.0;
 };
 
-/// What is graded: one own ship at one moment, five times a second. Also what a recording keeps of her, so that an old run
-/// can be graded again.
+/// What is graded: one own ship at one moment, five times a second. Also what a recording keeps of her, so
+/// that an old run can be graded again.
 struct Observation {
     SimTime time;
     int level = 1;
@@ -31,11 +30,11 @@ struct Observation {
     double momentarySpeed_mps = 0.0;  ///< over the ground, with what the swell adds to and fro
     double alongGround_mps = 0.0;     ///< its part along the heading; negative: going astern
     double underKeel_m = 0.0;
-    double clearOfShore_m = 0.0;      ///< hull to the nearest quay or shore, at most kShoreLimit_m
-    double clearOfShips_m = 0.0;      ///< hull to the nearest hull that is not hostile, at most kShipsLimit_m
-    double windFrom_rad = 0.0;        ///< mean wind
-    std::uint8_t linesFast = 0;       ///< bit i: line i is on its bollard
-    std::uint8_t linesOut = 0;        ///< bit i: line i is not yet aboard (a parted line is not out)
+    double clearOfShore_m = 0.0;  ///< hull to the nearest quay or shore, at most kShoreLimit_m
+    double clearOfShips_m = 0.0;  ///< hull to the nearest hull that is not hostile, at most kShipsLimit_m
+    double windFrom_rad = 0.0;    ///< mean wind
+    std::uint8_t linesFast = 0;   ///< bit i: line i is on its bollard
+    std::uint8_t linesOut = 0;    ///< bit i: line i is not yet aboard (a parted line is not out)
     std::array<AnchorObservation, kMostAnchors> anchors;
 };
 inline constexpr double kShoreLimit_m = 100.0;
@@ -46,9 +45,9 @@ struct Happening {
     enum class Kind : std::uint8_t { AnchorLetGo, Contact, Grounding, LineParted, CableParted };
     Kind kind = Kind::Contact;
     SimTime time;
-    NorthEast place;               ///< of the anchor, the contact, the ship
+    NorthEast place;  ///< of the anchor, the contact, the ship
     ContactKind contact = ContactKind::Fender;
-    double speed_mps = 0.0;        ///< approach speed; at let go the speed along the heading over ground
+    double speed_mps = 0.0;  ///< approach speed; at let go the speed along the heading over ground
     double energy_J = 0.0;
 };
 

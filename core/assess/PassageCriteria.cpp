@@ -10,19 +10,22 @@ namespace sagara::core {
 namespace {
 
 bool anchorLetGo(const Observation& now) {
-    return std::any_of(now.anchors.begin(), now.anchors.end(), [](const AnchorObservation& a) { return a.down; });
+    return std::any_of(now.anchors.begin(), now.anchors.end(),
+                       [](const AnchorObservation& a) { return a.down; });
 }
 
 class CrossTrackCriterion final : public EpisodeCriterion {
 public:
     CrossTrackCriterion(Terms terms, const Route& route, double from_m)
         : EpisodeCriterion(std::move(terms)), m_from_m(from_m) {
-        for (const Route::Waypoint& w : route.waypoints) m_limits.push_back({w.portLimit_m, w.starboardLimit_m});
+        for (const Route::Waypoint& w : route.waypoints)
+            m_limits.push_back({w.portLimit_m, w.starboardLimit_m});
     }
     Display display() const override { return {"distance off track", kNauticalMile_m, "M"}; }
 
 protected:
-    Measure measure(const Observation& now, const RouteProgress& route, CriterionMemory& memory) const override {
+    Measure measure(const Observation& now, const RouteProgress& route,
+                    CriterionMemory& memory) const override {
         if (anchorLetGo(now)) memory.begun = true;  // over: she lies to her anchor
         if (memory.begun || route.along_m < m_from_m) return {};
         const Limits& limits = m_limits[std::min<std::size_t>(route.leg, m_limits.size() - 1)];
@@ -73,7 +76,8 @@ public:
 
     void observe(const Observation& now, const RouteProgress&, CriterionMemory& memory,
                  std::vector<Deduction>& out) const override {
-        // `open` holds whether the clock runs, `note` the lines at the start until then and the starting time after.
+        // `open` holds whether the clock runs, `note` the lines at the start until then and the starting time
+        // after.
         if (!memory.begun) {
             memory.begun = true;
             memory.note = now.linesFast;
@@ -83,7 +87,8 @@ public:
             memory.note = now.time.seconds();
         }
         if (!memory.open || memory.broken) return;
-        const double limit_s = m_limit_s[static_cast<std::size_t>(now.level - 1)], taken_s = now.time.seconds() - memory.note;
+        const double limit_s = m_limit_s[static_cast<std::size_t>(now.level - 1)],
+                     taken_s = now.time.seconds() - memory.note;
         if (taken_s <= limit_s) return;
         deduct({now.time, now.position, taken_s, limit_s, terms().points}, memory, out);
         memory.broken = true;
@@ -107,7 +112,8 @@ std::unique_ptr<const Criterion> makeSpeedLimitCriterion(Criterion::Terms terms,
     return std::make_unique<SpeedLimitCriterion>(std::move(terms), context.readSpeedZones(in, "zones"));
 }
 
-std::unique_ptr<const Criterion> makeTimeLimitCriterion(Criterion::Terms terms, config::Reader& in, const MissionContext&) {
+std::unique_ptr<const Criterion> makeTimeLimitCriterion(Criterion::Terms terms, config::Reader& in,
+                                                        const MissionContext&) {
     std::array<double, kLevels> limit_s{};
     const std::vector<double> minutes = in.numbers("limit_min", kLevels, {0.5, 24.0 * 60.0, "min"});
     for (std::size_t i = 0; i < limit_s.size(); ++i) limit_s[i] = 60.0 * minutes[i];

@@ -31,7 +31,9 @@ public:
     TransitTask(std::string id, std::string title, NorthEast to, double within_m)
         : Task(std::move(id), std::move(title)), m_to(to), m_within_m(within_m) {}
 
-    bool step(const Observation& now, TaskMemory&) const override { return distance(now.position, m_to) <= m_within_m; }
+    bool step(const Observation& now, TaskMemory&) const override {
+        return distance(now.position, m_to) <= m_within_m;
+    }
 
 private:
     NorthEast m_to;
@@ -51,7 +53,8 @@ std::unique_ptr<const Task> makeGateTask(std::string id, std::string title, conf
     }
     if (names.size() != 2) in.problem("between", "names " + std::to_string(names.size()) + " places", "two");
     ends.resize(2);
-    const NorthEast inside = context.route.waypoints.empty() ? NorthEast{} : context.route.waypoints.front().position;
+    const NorthEast inside =
+        context.route.waypoints.empty() ? NorthEast{} : context.route.waypoints.front().position;
     return std::make_unique<GateTask>(std::move(id), std::move(title), Segment{ends[0], ends[1]}, inside);
 }
 

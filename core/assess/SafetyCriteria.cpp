@@ -7,7 +7,8 @@ namespace {
 
 class UnderKeelCriterion final : public EpisodeCriterion {
 public:
-    UnderKeelCriterion(Terms terms, double limit_m) : EpisodeCriterion(std::move(terms)), m_limit_m(limit_m) {}
+    UnderKeelCriterion(Terms terms, double limit_m)
+        : EpisodeCriterion(std::move(terms)), m_limit_m(limit_m) {}
     Display display() const override { return {"under-keel clearance", 1.0, "m"}; }
     void narrow(Limits& limits, const Observation&, const RouteProgress&) const override {
         limits.underKeel_m = std::max(limits.underKeel_m, m_limit_m);
@@ -42,7 +43,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<const Criterion> makeUnderKeelCriterion(Criterion::Terms terms, config::Reader& in, const MissionContext&) {
+std::unique_ptr<const Criterion> makeUnderKeelCriterion(Criterion::Terms terms, config::Reader& in,
+                                                        const MissionContext&) {
     const double limit_m = in.number("limit_m", {0.0, 50.0, "m"});
     return std::make_unique<UnderKeelCriterion>(std::move(terms), limit_m);
 }
@@ -52,7 +54,8 @@ std::unique_ptr<const Criterion> makePassingDistanceCriterion(Criterion::Terms t
     const double limit_m = in.number("limit_m", {1.0, kShipsLimit_m, "m"});
     // A leg is named by the waypoint it ends at, so the legs after a waypoint begin one later.
     const std::size_t from = in.has("fromWaypoint") ? context.readWaypoint(in, "fromWaypoint") + 1 : 0;
-    const std::size_t to = in.has("toWaypoint") ? context.readWaypoint(in, "toWaypoint") : context.route.waypoints.size();
+    const std::size_t to =
+        in.has("toWaypoint") ? context.readWaypoint(in, "toWaypoint") : context.route.waypoints.size();
     return std::make_unique<PassingDistanceCriterion>(std::move(terms), limit_m, from, to);
 }
 

@@ -8,8 +8,8 @@ namespace sagara::core {
 std::unique_ptr<const Criterion> makeUnderKeelCriterion(Criterion::Terms terms, config::Reader& in,
                                                         const MissionContext& context);
 
-/// "passing-distance": another hull (hostile craft are not counted) nearer than "limit_m", on the legs from "fromWaypoint"
-/// (default 1) to "toWaypoint" (default the last).
+/// "passing-distance": another hull (hostile craft are not counted) nearer than "limit_m", on the legs from
+/// "fromWaypoint" (default 1) to "toWaypoint" (default the last).
 std::unique_ptr<const Criterion> makePassingDistanceCriterion(Criterion::Terms terms, config::Reader& in,
                                                               const MissionContext& context);
 

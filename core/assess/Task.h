@@ -9,7 +9,8 @@
 
 namespace sagara::core {
 
-/// Progress of one task. The notes (a time, a heading, a place) are the task's own; their meaning is in its file.
+/// Progress of one task. The notes (a time, a heading, a place) are the task's own; their meaning is in its
+/// file.
 struct TaskMemory {
     bool done = false;
     SimTime doneAt;

@@ -2,6 +2,8 @@
 
 namespace sagara::core {
 
-void append(Bytes& bytes, std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); }
+void append(Bytes& bytes, std::span<const std::byte> piece) {
+    bytes.insert(bytes.end(), piece.begin(), piece.end());
+}
 
 }  // namespace sagara::core

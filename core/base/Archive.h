@@ -14,9 +14,9 @@
 
 #include "core/base/Hash.h"
 
-/// The one binary archive: `State`, recordings and everything inside them. Little-endian, no padding, versioned by
-/// whoever writes the outermost block. A type joins by a static `fields(archive, self)` that lists its members once,
-/// for writing and for reading.
+/// The one binary archive: `State`, recordings and everything inside them. Little-endian, no padding,
+/// versioned by whoever writes the outermost block. A type joins by a static `fields(archive, self)` that
+/// lists its members once, for writing and for reading.
 namespace sagara::core {
 
 static_assert(std::endian::native == std::endian::little, "the archive writes native bytes");
@@ -25,7 +25,8 @@ using Bytes = std::vector<std::byte>;
 
 namespace detail {
 template <typename T>
-concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;  // std::byte is an enumeration; vector<bool> is not used
+concept Scalar =
+    std::is_arithmetic_v<T> || std::is_enum_v<T>;  // std::byte is an enumeration; vector<bool> is not used
 }
 
 /// Sink is called with a span of bytes.
@@ -79,8 +80,8 @@ private:
     Sink m_sink;
 };
 
-/// Total: any bytes give values or `ok() == false`, never a throw and never a huge allocation. After the first
-/// failure everything reads as zero or empty.
+/// Total: any bytes give values or `ok() == false`, never a throw and never a huge allocation. After the
+/// first failure everything reads as zero or empty.
 class ArchiveReader {
 public:
     explicit ArchiveReader(std::span<const std::byte> bytes) : m_rest(bytes) {}

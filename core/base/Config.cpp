@@ -53,7 +53,8 @@ Document::Document(std::string name, std::string_view text) : m_problems(std::mo
     try {
         m_json = std::make_unique<json>(json::parse(text));
     } catch (const json::exception& e) {
-        const std::string what = e.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+        const std::string what =
+            e.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
         m_problems.add({"", "is not JSON (" + what.substr(what.find("] ") + 2) + ")", "a JSON object"});
     }
     if (m_json && !m_json->is_object()) {
@@ -71,7 +72,8 @@ bool Document::isKind(std::string_view kind, int newestVersion) {
     const std::size_t before = m_problems.size();
     Reader in(root());
     const std::string found = in.text("document");
-    if (!found.empty() && found != kind) in.problem("document", "is \"" + found + "\"", "\"" + std::string(kind) + "\"");
+    if (!found.empty() && found != kind)
+        in.problem("document", "is \"" + found + "\"", "\"" + std::string(kind) + "\"");
     m_version = in.integer("version", 1, newestVersion);
     return m_problems.size() == before;
 }
@@ -160,7 +162,8 @@ std::string Reader::textOr(std::string_view key, std::string fallback) {
 
 std::string Reader::id(std::string_view key) {
     const std::string found = text(key);
-    if (!found.empty() && !isId(found)) problem(key, "is \"" + found + "\"", "1 to 60 letters a-z, digits and hyphens");
+    if (!found.empty() && !isId(found))
+        problem(key, "is \"" + found + "\"", "1 to 60 letters a-z, digits and hyphens");
     return found;
 }
 
@@ -211,13 +214,15 @@ std::vector<GeoPoint> Reader::geoPoints(std::string_view key, std::size_t atLeas
     const std::vector<Node> nodes = list(key);
     for (const Node& node : nodes) {
         const json& pair = *node.m_json;
-        const bool valid = pair.is_array() && pair.size() == 2 && pair[0].is_number() && pair[1].is_number() &&
-                           std::abs(pair[0].get<double>()) <= 90.0 && std::abs(pair[1].get<double>()) <= 180.0;
+        const bool valid = pair.is_array() && pair.size() == 2 && pair[0].is_number() &&
+                           pair[1].is_number() && std::abs(pair[0].get<double>()) <= 90.0 &&
+                           std::abs(pair[1].get<double>()) <= 180.0;
         if (!valid) node.problem("is " + quoted(pair), "[latitude, longitude] in degrees");
         if (valid) points.push_back({pair[0].get<double>(), pair[1].get<double>()});
     }
     if (has(key) && nodes.size() < atLeast) {
-        problem(key, "has " + std::to_string(nodes.size()) + " points", "at least " + std::to_string(atLeast));
+        problem(key, "has " + std::to_string(nodes.size()) + " points",
+                "at least " + std::to_string(atLeast));
     }
     return points;
 }

@@ -15,8 +15,8 @@
 #include "core/base/Problems.h"
 #include "core/base/Result.h"
 
-/// Reading a document (JSON) that a person may have written. Every field is read before anything is refused, so the
-/// author sees all mistakes at once, each with its path.
+/// Reading a document (JSON) that a person may have written. Every field is read before anything is refused,
+/// so the author sees all mistakes at once, each with its path.
 namespace sagara::core::config {
 
 /// Accepted interval, both ends included, and the unit named in messages.
@@ -70,7 +70,8 @@ private:
     int m_version = 0;
 };
 
-/// Reads the members of one object. A problem is noted and a harmless value returned; `Document::finish` refuses.
+/// Reads the members of one object. A problem is noted and a harmless value returned; `Document::finish`
+/// refuses.
 class Reader {
 public:
     explicit Reader(Node node);
@@ -91,9 +92,9 @@ public:
     std::vector<std::string> texts(std::string_view key);
     std::vector<GeoPoint> geoPoints(std::string_view key, std::size_t atLeast);
 
-    Node child(std::string_view key);          ///< an object that must be there
-    std::vector<Node> list(std::string_view key);        ///< an array that must be there
-    std::vector<Node> listOr(std::string_view key);      ///< an array, empty when absent
+    Node child(std::string_view key);                ///< an object that must be there
+    std::vector<Node> list(std::string_view key);    ///< an array that must be there
+    std::vector<Node> listOr(std::string_view key);  ///< an array, empty when absent
 
     template <typename E>
     struct Choice {
@@ -115,7 +116,8 @@ public:
     }
 
     void problem(std::string_view key, std::string found, std::string expected);
-    /// Whether nothing has been wrong since this reader was made: whether it makes sense to compare its values.
+    /// Whether nothing has been wrong since this reader was made: whether it makes sense to compare its
+    /// values.
     bool sound() const;
     void rejectUnknownKeys();
 

@@ -10,12 +10,18 @@
 
 namespace sagara::core {
 
-/// Values on a square raster in frame N. Row 0 is the southernmost, column 0 the westernmost; a value belongs to its
-/// node, not to a cell. Invariant: rows and columns at least 2, spacing_m > 0, values.size() == rows * columns.
+/// Values on a square raster in frame N. Row 0 is the southernmost, column 0 the westernmost; a value belongs
+/// to its node, not to a cell. Invariant: rows and columns at least 2, spacing_m > 0, values.size() == rows *
+/// columns.
 class Grid {
 public:
-    Grid(NorthEast southWest, double spacing_m, std::size_t rows, std::size_t columns, std::vector<float> values)
-        : m_southWest(southWest), m_spacing_m(spacing_m), m_rows(rows), m_columns(columns), m_values(std::move(values)) {
+    Grid(NorthEast southWest, double spacing_m, std::size_t rows, std::size_t columns,
+         std::vector<float> values)
+        : m_southWest(southWest),
+          m_spacing_m(spacing_m),
+          m_rows(rows),
+          m_columns(columns),
+          m_values(std::move(values)) {
         assert(rows >= 2 && columns >= 2 && spacing_m > 0.0 && m_values.size() == rows * columns);
     }
 
@@ -25,12 +31,14 @@ public:
     std::size_t columns() const { return m_columns; }
     const std::vector<float>& values() const { return m_values; }
     NorthEast node(std::size_t row, std::size_t column) const {
-        return m_southWest + NorthEast{m_spacing_m * static_cast<double>(row), m_spacing_m * static_cast<double>(column)};
+        return m_southWest +
+               NorthEast{m_spacing_m * static_cast<double>(row), m_spacing_m * static_cast<double>(column)};
     }
 
     bool covers(NorthEast p) const {
         const NorthEast d = p - m_southWest;
-        return d.north_m >= 0.0 && d.east_m >= 0.0 && d.north_m <= m_spacing_m * static_cast<double>(m_rows - 1) &&
+        return d.north_m >= 0.0 && d.east_m >= 0.0 &&
+               d.north_m <= m_spacing_m * static_cast<double>(m_rows - 1) &&
                d.east_m <= m_spacing_m * static_cast<double>(m_columns - 1);
     }
 

@@ -8,12 +8,13 @@
 
 namespace sagara::core {
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC draft eastlake-fnv). Names content and detects damage: every step is
-/// invertible, so one changed byte always changes the sum. Not for secrets.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC draft eastlake-fnv). Names content and detects damage: every step
+/// is invertible, so one changed byte always changes the sum. Not for secrets.
 class Hash64 {
 public:
     void add(std::span<const std::byte> bytes) {
-        for (const std::byte b : bytes) m_value = (m_value ^ static_cast<std::uint64_t>(b)) * 0x00000100000001b3ULL;
+        for (const std::byte b : bytes)
+            m_value = (m_value ^ static_cast<std::uint64_t>(b)) * 0x00000100000001b3ULL;
     }
     std::uint64_t value() const { return m_value; }
 

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-/// Points and vectors in the horizontal plane. Two types, so that a ship-fixed lever is never added to a place.
+/// Points and vectors in the horizontal plane. Two types, so that a ship-fixed lever is never added to a
+/// place.
 namespace sagara::core {
 
 /// Frame N (origin at the area's datum) or a displacement in it.

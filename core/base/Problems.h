@@ -7,8 +7,8 @@ namespace sagara::core::config {
 
 /// One thing wrong in a document: where, what was found, what would be accepted.
 struct Problem {
-    std::string path;      ///< JSON path such as "propulsion[0].diameter_m"; empty for the document as a whole
-    std::string found;     ///< "is -107.3", "is missing", "is unknown"
+    std::string path;   ///< JSON path such as "propulsion[0].diameter_m"; empty for the document as a whole
+    std::string found;  ///< "is -107.3", "is missing", "is unknown"
     std::string expected;  ///< "1 to 1000 s"
 };
 

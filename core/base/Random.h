@@ -4,8 +4,8 @@
 
 namespace sagara::core {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): a stream of random bits from a seed. Used only while a World is built;
-/// nothing random happens in a tick.
+/// SplitMix64 (Steele, Lea, Flood 2014): a stream of random bits from a seed. Used only while a World is
+/// built; nothing random happens in a tick.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : m_state(seed) {}

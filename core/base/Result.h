@@ -11,8 +11,10 @@ namespace sagara::core {
 template <typename T, typename E>
 class [[nodiscard]] Result {
 public:
-    Result(T value) : m_content(std::in_place_index<0>, std::move(value)) {}  // NOLINT: `return value;` is the use
-    Result(E error) : m_content(std::in_place_index<1>, std::move(error)) {}  // NOLINT: `return error;` is the use
+    Result(T value)
+        : m_content(std::in_place_index<0>, std::move(value)) {}  // NOLINT: `return value;` is the use
+    Result(E error)
+        : m_content(std::in_place_index<1>, std::move(error)) {}  // NOLINT: `return error;` is the use
 
     explicit operator bool() const { return m_content.index() == 0; }
 

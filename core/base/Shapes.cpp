@@ -27,7 +27,8 @@ bool contains(std::span<const NorthEast> ring, NorthEast p) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
         const NorthEast a = ring[i], b = ring[j];
         if ((a.north_m > p.north_m) == (b.north_m > p.north_m)) continue;
-        const double east_m = a.east_m + (b.east_m - a.east_m) * (p.north_m - a.north_m) / (b.north_m - a.north_m);
+        const double east_m =
+            a.east_m + (b.east_m - a.east_m) * (p.north_m - a.north_m) / (b.north_m - a.north_m);
         if (p.east_m < east_m) inside = !inside;
     }
     return inside;
@@ -35,7 +36,8 @@ bool contains(std::span<const NorthEast> ring, NorthEast p) {
 
 double clockwiseArea_m2(std::span<const NorthEast> ring) {
     double twice_m2 = 0.0;
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) twice_m2 += cross(ring[j], ring[i]);
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+        twice_m2 += cross(ring[j], ring[i]);
     return 0.5 * twice_m2;
 }
 

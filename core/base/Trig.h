@@ -10,10 +10,10 @@ struct SinCos {
     double cos;
 };
 
-/// Sine and cosine together, without branches or library calls, so that a loop over it is vectorised and gives
-/// the same bits on every x86-64 machine. For the wave sums only; elsewhere use <cmath>.
-/// Range: |angle| < 1e6 rad. Error below 3e-14 + 3e-17 |angle|: three-part reduction by pi/2 (Cody and Waite 1980),
-/// Taylor polynomials of degree 13 and 14 on [-pi/4, pi/4].
+/// Sine and cosine together, without branches or library calls, so that a loop over it is vectorised and
+/// gives the same bits on every x86-64 machine. For the wave sums only; elsewhere use <cmath>. Range: |angle|
+/// < 1e6 rad. Error below 3e-14 + 3e-17 |angle|: three-part reduction by pi/2 (Cody and Waite 1980), Taylor
+/// polynomials of degree 13 and 14 on [-pi/4, pi/4].
 inline SinCos sinCos(double angle_rad) {
     constexpr double kRound = 0x1.8p52;  // adding it leaves the nearest integer in the low bits
     constexpr double kTwoOverPi = 0.63661977236758134308;
@@ -27,11 +27,18 @@ inline SinCos sinCos(double angle_rad) {
     const double r2 = r * r;
     const double s =
         r + r * r2 *
-                (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040 + r2 * (1.0 / 362880 + r2 * (-1.0 / 39916800 + r2 * (1.0 / 6227020800))))));
+                (-1.0 / 6 + r2 * (1.0 / 120 +
+                                  r2 * (-1.0 / 5040 + r2 * (1.0 / 362880 + r2 * (-1.0 / 39916800 +
+                                                                                 r2 * (1.0 / 6227020800))))));
     const double c =
-        1.0 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800 +
-              r2 * (1.0 / 479001600 - r2 * (1.0 / 87178291200)))))));
-    const std::uint64_t odd = 0 - (bits & 1);  // all ones in the odd quarters, where sine and cosine change places
+        1.0 +
+        r2 * (-0.5 +
+              r2 * (1.0 / 24 +
+                    r2 * (-1.0 / 720 +
+                          r2 * (1.0 / 40320 +
+                                r2 * (-1.0 / 3628800 + r2 * (1.0 / 479001600 - r2 * (1.0 / 87178291200)))))));
+    const std::uint64_t odd =
+        0 - (bits & 1);  // all ones in the odd quarters, where sine and cosine change places
     const auto sBits = std::bit_cast<std::uint64_t>(s);
     const auto cBits = std::bit_cast<std::uint64_t>(c);
     const std::uint64_t sinBits = ((sBits & ~odd) | (cBits & odd)) ^ ((bits & 2) << 62);

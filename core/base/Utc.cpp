@@ -43,11 +43,13 @@ std::optional<Utc> parseUtc(std::string_view text) {
         return std::nullopt;
     }
     const auto y = digits(text.substr(0, 4)), mo = digits(text.substr(5, 2)), d = digits(text.substr(8, 2));
-    const auto h = digits(text.substr(11, 2)), mi = digits(text.substr(14, 2)), s = digits(text.substr(17, 2));
+    const auto h = digits(text.substr(11, 2)), mi = digits(text.substr(14, 2)),
+               s = digits(text.substr(17, 2));
     if (!y || !mo || !d || !h || !mi || !s || *h > 23 || *mi > 59 || *s > 59) return std::nullopt;
     const year_month_day date{year(static_cast<int>(*y)), month(*mo), day(*d)};
     if (!date.ok()) return std::nullopt;
-    return Utc{(sys_days(date).time_since_epoch() / days(1)) * std::int64_t{86'400} + *h * 3600 + *mi * 60 + *s};
+    return Utc{(sys_days(date).time_since_epoch() / days(1)) * std::int64_t{86'400} + *h * 3600 + *mi * 60 +
+               *s};
 }
 
 std::string formatUtc(Utc instant) { return format(instant.unix_s, 'T', "Z"); }

@@ -8,12 +8,12 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kSlowest_mps = 1.0;      // below, the rudder hardly works and gains stop growing
-constexpr double kHeadingGain = 1.2;      // rudder per heading error
-constexpr double kRateGain = 0.7;         // rudder per r L/U
-constexpr double kTurnGain = 1.0;         // rudder per wanted r L/U: K' of a well-behaved ship is about 1
+constexpr double kSlowest_mps = 1.0;  // below, the rudder hardly works and gains stop growing
+constexpr double kHeadingGain = 1.2;  // rudder per heading error
+constexpr double kRateGain = 0.7;     // rudder per r L/U
+constexpr double kTurnGain = 1.0;     // rudder per wanted r L/U: K' of a well-behaved ship is about 1
 constexpr double kLookAhead_lengths = 1.5;
-constexpr double kLead_lengths = 0.8;     // the turn begins this much before the arc
+constexpr double kLead_lengths = 0.8;  // the turn begins this much before the arc
 constexpr double kIntegralTime_s = 120.0;
 constexpr double kMostIntegral_rad = 20.0 * kDegree_rad;
 
@@ -29,7 +29,8 @@ double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double headin
     return std::clamp(rudder_rad, -vessel.steering.limit_rad, vessel.steering.limit_rad);
 }
 
-double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state, double dt_s) {
+double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
+                      double dt_s) {
     const double length_m = vessel.hull.lengthBp_m;
     const RoutePath::Place here = path.nearest(m.position(), state.along_m, 50.0, 300.0);
     state.along_m = here.along_m;
@@ -39,15 +40,17 @@ double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMot
         state.offTrackSum_ms = std::clamp(state.offTrackSum_ms + here.offTrack_m * dt_s, -limit_ms, limit_ms);
     }
     const RoutePath::Place ahead = path.at(here.along_m + kLead_lengths * length_m);
-    const double towards_rad = std::atan2(here.offTrack_m + state.offTrackSum_ms / kIntegralTime_s, lookAhead_m);
+    const double towards_rad =
+        std::atan2(here.offTrack_m + state.offTrackSum_ms / kIntegralTime_s, lookAhead_m);
     state.setHeading_rad = ahead.course_rad - towards_rad;
     return steerHeading_rad(vessel, m, state.setHeading_rad, speed(m) * ahead.curvature_perM);
 }
 
-double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
-                          double handOrder_rad, double dt_s) {
+double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m,
+                          AutopilotState& state, double handOrder_rad, double dt_s) {
     if (state.mode == AutopilotMode::Heading) return steerHeading_rad(vessel, m, state.setHeading_rad, 0.0);
-    if (state.mode == AutopilotMode::Track && path.length_m() > 0.0) return steerTrack_rad(vessel, path, m, state, dt_s);
+    if (state.mode == AutopilotMode::Track && path.length_m() > 0.0)
+        return steerTrack_rad(vessel, path, m, state, dt_s);
     return handOrder_rad;
 }
 

@@ -22,16 +22,17 @@ struct AutopilotState {
     }
 };
 
-/// Rudder for a heading: proportional with rate feedback, gains scaled by L/U so that one tuning serves every ship.
-/// `turn_radps`: wanted rate of turn, 0 on a straight course.
+/// Rudder for a heading: proportional with rate feedback, gains scaled by L/U so that one tuning serves every
+/// ship. `turn_radps`: wanted rate of turn, 0 on a straight course.
 double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double heading_rad, double turn_radps);
 
-/// Rudder that keeps the ship on the path: course of the track a little ahead, turned towards the track by line of sight,
-/// with the turn of the arc fed forward. Moves state.along_m on.
-double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state, double dt_s);
+/// Rudder that keeps the ship on the path: course of the track a little ahead, turned towards the track by
+/// line of sight, with the turn of the arc fed forward. Moves state.along_m on.
+double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
+                      double dt_s);
 
 /// One tick of whichever mode is on: the rudder order, or the given one when off.
-double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
-                          double handOrder_rad, double dt_s);
+double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m,
+                          AutopilotState& state, double handOrder_rad, double dt_s);
 
 }  // namespace sagara::core

@@ -7,7 +7,8 @@ namespace {
 
 /// Runs the ship half ahead in calm water until her speed is steady.
 double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics) {
-    const double shaft_rps = vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::HalfAhead)];
+    const double shaft_rps =
+        vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::HalfAhead)];
     Actuators actuators;
     actuators.shaft_rps.fill(shaft_rps);
     ShipMotion m;
@@ -15,7 +16,8 @@ double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics
     double before_mps = -1.0;
     for (double t = 0.0; t < kLongest_s && m.surge_mps - before_mps > 1e-5; t += kStep_s) {
         before_mps = m.surge_mps;
-        m = rk4Step(m, kStep_s, [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+        m = rk4Step(m, kStep_s,
+                    [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
     }
     return m.surge_mps / shaft_rps;
 }

@@ -39,9 +39,9 @@ struct OwnShip {
 struct PilotMemory {
     bool engaged = false;
     std::uint32_t step = 0;
-    std::uint32_t phase = 0;      ///< within the step
-    double since_s = 0.0;         ///< time in the phase
-    double noteA = 0.0;           ///< the step's own: see Pilot.cpp
+    std::uint32_t phase = 0;  ///< within the step
+    double since_s = 0.0;     ///< time in the phase
+    double noteA = 0.0;       ///< the step's own: see Pilot.cpp
     double noteB = 0.0;
 
     template <typename Archive, typename Self>
@@ -71,14 +71,15 @@ struct OwnShipState {
     std::array<LineState, kMostLines> lines;
     std::array<AnchorState, kMostAnchors> anchors;
     std::array<ContactMemory, kContactKinds> contacts;
-    NorthEast shownOverGround_mps;  ///< velocity over the ground as the GPS shows it: mean of the last quarter minute
+    NorthEast shownOverGround_mps;  ///< velocity over the ground as the GPS shows it: mean of the last
+                                    ///< quarter minute
     bool aground = false;
     double underKeel_m = 0.0;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.motion, self.steering, self.shafts, self.autopilot, self.pilot, self.lines, self.anchors, self.contacts,
-           self.shownOverGround_mps, self.aground, self.underKeel_m);
+        ar(self.motion, self.steering, self.shafts, self.autopilot, self.pilot, self.lines, self.anchors,
+           self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m);
     }
 };
 

@@ -43,9 +43,11 @@ public:
         for (std::uint8_t i = 0; i < m_ship.shaftCount(); ++i) shaft(i, step.shafts_rps[i]);
         const ShipMotion& m = m_state.motion;
         return m_memory.since_s >= step.atMost_s ||
-               (step.headingChange_rad && std::abs(m.heading_rad - m_memory.noteA) >= *step.headingChange_rad) ||
+               (step.headingChange_rad &&
+                std::abs(m.heading_rad - m_memory.noteA) >= *step.headingChange_rad) ||
                (step.moved_m && m_memory.noteB >= *step.moved_m) ||
-               (step.slowerThan_mps && m_memory.since_s > 5.0 && std::hypot(m.surge_mps, m.sway_mps) < *step.slowerThan_mps);
+               (step.slowerThan_mps && m_memory.since_s > 5.0 &&
+                std::hypot(m.surge_mps, m.sway_mps) < *step.slowerThan_mps);
     }
 
     bool run(const TurnStep& step) {
@@ -65,14 +67,16 @@ public:
             enter(1);
         }
         const RoutePath::Place here = m_path.at(m_state.autopilot.along_m);
-        double wanted_mps = lowestSpeed_mps(step.speeds, m_state.motion.position(), here.leg, step.cruise_mps);
+        double wanted_mps =
+            lowestSpeed_mps(step.speeds, m_state.motion.position(), here.leg, step.cruise_mps);
         // slow down in time for a circle ahead
         constexpr double kBraking_mps2 = 0.03, kEarly_m = 50.0;  // the GPS shows the speed of a while ago
         for (const SpeedZone& zone : step.speeds) {
             if (!zone.circle) continue;
             const double edge_m = distance(m_state.motion.position(), zone.centre) - zone.radius_m;
             const double off_m = std::max(0.0, edge_m - kEarly_m);
-            wanted_mps = std::min(wanted_mps, std::sqrt(zone.speed_mps * zone.speed_mps + 2.0 * kBraking_mps2 * off_m));
+            wanted_mps = std::min(wanted_mps,
+                                  std::sqrt(zone.speed_mps * zone.speed_mps + 2.0 * kBraking_mps2 * off_m));
         }
         runAt(wanted_mps);
         const bool done = m_state.autopilot.along_m >= step.untilAlong_m;
@@ -82,10 +86,14 @@ public:
 
     bool run(const AnchorStep& step) {
         switch (m_memory.phase) {
-            case 0: return approach(step);
-            case 1: return goAstern(step);
-            case 2: return veer(step);
-            default: return bringUp();
+            case 0:
+                return approach(step);
+            case 1:
+                return goAstern(step);
+            case 2:
+                return veer(step);
+            default:
+                return bringUp();
         }
     }
 
@@ -103,14 +111,17 @@ private:
         const double error_mps = speed_mps - waySpeed_mps();
         if (std::abs(error_mps) < 0.5) m_memory.noteB += error_mps * m_dt_s / kIntegralTime_s;
         m_memory.noteB = std::clamp(m_memory.noteB, -kMostIntegral_mps, kMostIntegral_mps);
-        const double astern = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::SlowAstern)];
-        shaft(kAllShafts, std::max(astern, (speed_mps + m_memory.noteB + kGain * error_mps) / m_ship.advancePerRev_m));
+        const double astern =
+            m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::SlowAstern)];
+        shaft(kAllShafts,
+              std::max(astern, (speed_mps + m_memory.noteB + kGain * error_mps) / m_ship.advancePerRev_m));
     }
 
     /// Turns the ship by her screws, with a common part of the shaft speed that works on her headway.
     void twist(double error_rad, double most_rps, double common_rps) {
         constexpr double kFull_rad = 20.0 * kDegree_rad, kLead_s = 8.0;
-        const double turn = std::clamp((error_rad - kLead_s * m_state.motion.yawRate_radps) / kFull_rad, -1.0, 1.0);
+        const double turn =
+            std::clamp((error_rad - kLead_s * m_state.motion.yawRate_radps) / kFull_rad, -1.0, 1.0);
         const double limit_rad = m_ship.vessel.steering.limit_rad;
         steer(turn * limit_rad);
         if (m_ship.shaftCount() < 2) {
@@ -126,7 +137,9 @@ private:
 
     /// Between log and GPS: the one moves with every wave, the other comes late.
     double waySpeed_mps() const { return 0.5 * (m_state.motion.surge_mps + alongGround_mps()); }
-    double alongGround_mps() const { return dot(m_state.shownOverGround_mps, unitVector(m_state.motion.heading_rad)); }
+    double alongGround_mps() const {
+        return dot(m_state.shownOverGround_mps, unitVector(m_state.motion.heading_rad));
+    }
     NorthEast hawse(const AnchorStep& step) const {
         return HeadingFrame(m_state.motion.position(), m_state.motion.heading_rad)
             .point(m_ship.vessel.groundTackle.anchors[step.anchor].hawse);
@@ -138,7 +151,8 @@ private:
 
     bool approach(const AnchorStep& step) {
         m_state.autopilot.mode = AutopilotMode::Track;
-        constexpr double kBraking_mps2 = 0.02, kBeyond_m = 8.0;  // she falls back over the place before she lets go
+        constexpr double kBraking_mps2 = 0.02,
+                         kBeyond_m = 8.0;  // she falls back over the place before she lets go
         const double left_m = toGo_m(step) + kBeyond_m;
         runAt(std::min(step.approach_mps, std::sqrt(2.0 * kBraking_mps2 * std::max(0.0, left_m)) + 0.05));
         if (left_m < 4.0 || alongGround_mps() < 0.05) {
@@ -150,9 +164,11 @@ private:
     /// Sternway at a speed over the ground, bow held up to the last course by the screws.
     void backAt(double astern_mps) {
         const double error_mps = -astern_mps - waySpeed_mps();
-        const double dead = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAstern)];
+        const double dead =
+            m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAstern)];
         const double common_rps = std::clamp(6.0 * error_mps, 1.5 * dead, -1.5 * dead);
-        twist(wrapPi(m_path.at(m_path.length_m()).course_rad - m_state.motion.heading_rad), -0.8 * dead, common_rps);
+        twist(wrapPi(m_path.at(m_path.length_m()).course_rad - m_state.motion.heading_rad), -0.8 * dead,
+              common_rps);
     }
 
     bool goAstern(const AnchorStep& step) {
@@ -183,10 +199,12 @@ private:
         return false;
     }
 
-    /// A touch ahead or astern takes the way off her while she settles; then the engines stop and he stays on watch.
+    /// A touch ahead or astern takes the way off her while she settles; then the engines stop and he stays on
+    /// watch.
     bool bringUp() {
         constexpr double kSettling_s = 180.0, kStill_mps = 0.05, kTouch_rpsPerMps = 4.0;
-        const double dead = m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAhead)];
+        const double dead =
+            m_ship.vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::DeadSlowAhead)];
         const double along_mps = alongGround_mps();
         const bool touch = m_memory.since_s < kSettling_s && std::abs(along_mps) > kStill_mps;
         steer(0.0);
@@ -203,7 +221,8 @@ private:
 
 }  // namespace
 
-void runPilot(const PilotScript& script, const RoutePath& path, const OwnShip& ship, OwnShipState& state, double dt_s) {
+void runPilot(const PilotScript& script, const RoutePath& path, const OwnShip& ship, OwnShipState& state,
+              double dt_s) {
     PilotMemory& memory = state.pilot;
     if (!memory.engaged || memory.step >= script.size()) return;
     memory.since_s += dt_s;

@@ -7,11 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include "core/vessel/Machinery.h"
 #include "core/motion/Actuators.h"
+#include "core/vessel/Machinery.h"
 #include "core/world/SpeedZone.h"
 
-/// How the scripted pilot sails a lesson: steps, one after the other. Part of the scenario document. Immutable.
+/// How the scripted pilot sails a lesson: steps, one after the other. Part of the scenario document.
+/// Immutable.
 namespace sagara::core {
 
 /// "lines": orders to lines, then waits until those let go are off their bollards and `wait_s` have passed.
@@ -50,8 +51,8 @@ struct TrackStep {
 struct AnchorStep {
     NorthEast place;
     std::uint8_t anchor = 0;
-    double firstCable_m = 0.0;   ///< brake on here at let go
-    double cable_m = 0.0;        ///< veered to in the end
+    double firstCable_m = 0.0;  ///< brake on here at let go
+    double cable_m = 0.0;       ///< veered to in the end
     double approach_mps = 0.0;
 };
 

@@ -8,7 +8,7 @@ namespace sagara::core {
 struct ShaftState {
     double order_rps = 0.0;
     double speed_rps = 0.0;
-    double standing_s = 0.0;  ///< time the shaft still has to stand before it may turn the other way
+    double standing_s = 0.0;     ///< time the shaft still has to stand before it may turn the other way
     std::int8_t lastTurned = 0;  ///< +1 ahead, -1 astern, 0 not yet
     bool failed = false;
 
@@ -18,8 +18,8 @@ struct ShaftState {
     }
 };
 
-/// Runs the shaft for one tick towards its order: rate limit, a stand between ahead and astern. A failed engine lets it run
-/// down at a third of the rate.
+/// Runs the shaft for one tick towards its order: rate limit, a stand between ahead and astern. A failed
+/// engine lets it run down at a third of the rate.
 void runShaft(const PropulsionUnit& unit, ShaftState& shaft, double dt_s);
 
 }  // namespace sagara::core

@@ -29,7 +29,8 @@ void obey(const OwnShip& ship, OwnShipState& state, const TelegraphOrder& order)
 
 void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order) {
     const TelegraphTable& table = ship.vessel.propulsion.telegraph_rps;
-    const double most = 1.1 * table.back(), least = 1.1 * table.front();  // a lever goes a little beyond the steps
+    const double most = 1.1 * table.back(),
+                 least = 1.1 * table.front();  // a lever goes a little beyond the steps
     forShafts(ship, state, order.shaft,
               [&](ShaftState& shaft) { shaft.order_rps = std::clamp(order.speed_rps, least, most); });
 }
@@ -52,10 +53,18 @@ void obey(const OwnShip& ship, OwnShipState& state, const LineOrder& order) {
     LineState& line = state.lines[order.line];
     if (!line.onBollard()) return;
     switch (order.action) {
-        case LineAction::Hold: line.status = LineStatus::Fast; break;
-        case LineAction::Slack: line.status = LineStatus::Slacking; break;
-        case LineAction::Heave: line.status = LineStatus::Heaving; break;
-        case LineAction::LetGo: line.status = LineStatus::CastOff; break;
+        case LineAction::Hold:
+            line.status = LineStatus::Fast;
+            break;
+        case LineAction::Slack:
+            line.status = LineStatus::Slacking;
+            break;
+        case LineAction::Heave:
+            line.status = LineStatus::Heaving;
+            break;
+        case LineAction::LetGo:
+            line.status = LineStatus::CastOff;
+            break;
     }
 }
 

@@ -2,8 +2,9 @@
 
 #include "core/bridge/OwnShip.h"
 
-/// Orders to one own ship, as given by wheel, telegraph, deck or a command file. Each is a value; `obey` carries it out.
-/// An order that makes no sense at this moment (letting go an anchor that is down) is not an error: it does nothing.
+/// Orders to one own ship, as given by wheel, telegraph, deck or a command file. Each is a value; `obey`
+/// carries it out. An order that makes no sense at this moment (letting go an anchor that is down) is not an
+/// error: it does nothing.
 namespace sagara::core {
 
 struct HelmOrder {

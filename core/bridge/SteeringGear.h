@@ -4,7 +4,8 @@
 
 namespace sagara::core {
 
-/// The steering gear between the wheel and the rudders. Two pumps; each moves the rudder at half the full rate.
+/// The steering gear between the wheel and the rudders. Two pumps; each moves the rudder at half the full
+/// rate.
 struct SteeringGearState {
     double order_rad = 0.0;
     double angle_rad = 0.0;  ///< achieved; positive turns the bow to starboard

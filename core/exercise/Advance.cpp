@@ -34,8 +34,12 @@ Event eventOf(const State& state, const AssessmentEvent& a) {
     e.limit = a.deduction.limit;
     e.points = a.deduction.points;
     switch (a.kind) {
-        case AssessmentEvent::Kind::TaskDone: e.kind = EventKind::TaskDone; break;
-        case AssessmentEvent::Kind::Deduction: e.kind = EventKind::Deduction; break;
+        case AssessmentEvent::Kind::TaskDone:
+            e.kind = EventKind::TaskDone;
+            break;
+        case AssessmentEvent::Kind::Deduction:
+            e.kind = EventKind::Deduction;
+            break;
         case AssessmentEvent::Kind::Failed:
             e.kind = EventKind::MissionFailed;
             e.tick = state.tick;
@@ -89,7 +93,8 @@ State startState(const World& world, int level) {
     bringTargets(world, state, ignored);
     for (std::size_t i = 0; i < state.ships.size(); ++i) {
         const double tide_m = world.tide.height_m({});
-        state.ships[i].underKeel_m = underKeel(world.area, world.ships[i]->keel, state.ships[i].motion, tide_m).clearance_m;
+        state.ships[i].underKeel_m =
+            underKeel(world.area, world.ships[i]->keel, state.ships[i].motion, tide_m).clearance_m;
     }
     return state;
 }
@@ -106,7 +111,8 @@ std::vector<Event> advance(const World& world, State& state, std::span<const Com
 
     TickEnvironment environment(world, state);
     moveTargets(world, state, kTick_s);
-    for (std::size_t i = 0; i < state.ships.size() && !state.stopped; ++i) moveShip(world, state, i, environment, events);
+    for (std::size_t i = 0; i < state.ships.size() && !state.stopped; ++i)
+        moveShip(world, state, i, environment, events);
     before.report(world, state, events);
     ++state.tick;
     if (state.stopped) return events;

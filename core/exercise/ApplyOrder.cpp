@@ -41,9 +41,12 @@ public:
         OwnShipState& ship = m_state.ships[m_ship];
         switch (order.fault) {
             case Fault::SteeringPump:
-                ship.steering.pumpsFailed = order.mended ? std::uint8_t{0} : std::clamp<std::uint8_t>(order.number, 1, 2);
+                ship.steering.pumpsFailed =
+                    order.mended ? std::uint8_t{0} : std::clamp<std::uint8_t>(order.number, 1, 2);
                 break;
-            case Fault::SteeringJam: ship.steering.jammed = !order.mended; break;
+            case Fault::SteeringJam:
+                ship.steering.jammed = !order.mended;
+                break;
             case Fault::Engine:
                 if (order.number >= m_world.ships[m_ship]->shaftCount()) return;
                 ship.shafts[order.number].failed = !order.mended;
@@ -61,19 +64,24 @@ public:
                 if (target.present) return;
                 target = startOf(m_world.targets[order.target]);
                 target.present = true;
-                m_events.push_back(make(m_state, EventKind::TargetAppeared, 0, order.target, target.position));
+                m_events.push_back(
+                    make(m_state, EventKind::TargetAppeared, 0, order.target, target.position));
                 break;
             case TargetAction::Remove:
                 if (!target.present) return;
                 target.present = false;
                 m_events.push_back(make(m_state, EventKind::TargetGone, 0, order.target, target.position));
                 break;
-            case TargetAction::Stop: target.stopped = true; break;
+            case TargetAction::Stop:
+                target.stopped = true;
+                break;
             case TargetAction::Resume:
                 target.stopped = false;
                 target.orderedSpeed_mps = -1.0;
                 break;
-            case TargetAction::SetSpeed: target.orderedSpeed_mps = order.speed_mps; break;
+            case TargetAction::SetSpeed:
+                target.orderedSpeed_mps = order.speed_mps;
+                break;
         }
     }
 
@@ -81,7 +89,8 @@ public:
         const int level = std::clamp<int>(order.level, 1, kLevels);
         if (level == m_state.level) return;
         m_state.level = level;
-        changeWeather(m_state.weather, m_state.weather.base, m_world.level(level), m_state.tick, kLevelRamp_s);
+        changeWeather(m_state.weather, m_state.weather.base, m_world.level(level), m_state.tick,
+                      kLevelRamp_s);
         bringTargets(m_world, m_state, m_events);
         m_events.push_back(make(m_state, EventKind::LevelChanged, 0, static_cast<std::size_t>(level)));
     }
@@ -106,7 +115,8 @@ private:
 
 }  // namespace
 
-void applyOrder(const World& world, State& state, std::uint8_t ship, const Order& order, std::vector<Event>& events) {
+void applyOrder(const World& world, State& state, std::uint8_t ship, const Order& order,
+                std::vector<Event>& events) {
     if (ship >= state.ships.size()) return;
     Instructor instructor(world, state, ship, events);
     std::visit([&](const auto& given) { instructor.apply(given); }, order);
@@ -125,7 +135,8 @@ void bringTargets(const World& world, State& state, std::vector<Event>& events) 
     for (std::uint32_t i = 0; i < world.targets.size(); ++i) {
         const TargetLayout& layout = world.targets[i];
         if (layout.onEvent) continue;
-        const TargetAction action = state.level >= layout.fromLevel ? TargetAction::Appear : TargetAction::Remove;
+        const TargetAction action =
+            state.level >= layout.fromLevel ? TargetAction::Appear : TargetAction::Remove;
         applyOrder(world, state, 0, TargetOrder{i, action, 0.0}, events);
     }
 }

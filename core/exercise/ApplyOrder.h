@@ -8,7 +8,8 @@
 namespace sagara::core {
 
 /// Carries out one order in this tick. An order for a ship, line or target that does not exist does nothing.
-void applyOrder(const World& world, State& state, std::uint8_t ship, const Order& order, std::vector<Event>& events);
+void applyOrder(const World& world, State& state, std::uint8_t ship, const Order& order,
+                std::vector<Event>& events);
 
 /// Fires an event of the scenario once.
 void fireEvent(const World& world, State& state, std::uint32_t index, std::vector<Event>& events);

@@ -4,7 +4,8 @@
 
 namespace sagara::core {
 
-/// Names this build of core: sources, compiler and flags. Bit-equal replay is promised between equal ids only.
+/// Names this build of core: sources, compiler and flags. Bit-equal replay is promised between equal ids
+/// only.
 std::string_view coreBuildId();
 
 }  // namespace sagara::core

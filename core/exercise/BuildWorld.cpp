@@ -32,7 +32,8 @@ public:
         }
         m_world->targets = readTraffic(m_in, m_world->area.frame);
         if (!m_world->ships.empty()) {
-            const MissionContext context{m_world->area, m_world->route, m_world->path, m_world->ships[0]->lineIds};
+            const MissionContext context{m_world->area, m_world->route, m_world->path,
+                                         m_world->ships[0]->lineIds};
             readEvents(context);
             config::Reader mission(m_in.child("mission"));
             m_world->mission = readMission(mission, context);
@@ -52,7 +53,8 @@ private:
         m_in.id("area");
         const std::string start = m_in.text("startUtc");
         const auto utc = parseUtc(start);
-        if (!utc && !start.empty()) m_in.problem("startUtc", "is \"" + start + "\"", "an instant such as 2027-01-15T03:30:00Z");
+        if (!utc && !start.empty())
+            m_in.problem("startUtc", "is \"" + start + "\"", "an instant such as 2027-01-15T03:30:00Z");
         m_world->start = utc.value_or(Utc{});
         m_world->longest_s = 60.0 * m_in.number("longest_min", {1.0, 24.0 * 60.0, "min"});
     }
@@ -65,7 +67,8 @@ private:
         w.wind.windFrom_rad = kDegree_rad * wind.number("from_deg", kDegrees);
         w.wind.gustiness = wind.number("gustiness", {0.0, 0.5, ""});
         wind.rejectUnknownKeys();
-        w.exposure = in.choice<Exposure>("exposure", {{"inshore", Exposure::Inshore}, {"ocean", Exposure::Ocean}});
+        w.exposure =
+            in.choice<Exposure>("exposure", {{"inshore", Exposure::Inshore}, {"ocean", Exposure::Ocean}});
         std::size_t i = 0;
         for (const config::Node& node : in.listOr("swells")) {
             if (i == kMostSwells) node.problem("is one too many", "at most two swells");
@@ -129,7 +132,8 @@ private:
     void readShip(const config::Node& node) {
         config::Reader in(node);
         const std::string id = in.id("id"), name = in.text("name"), vesselId = in.id("vessel");
-        const auto it = std::find_if(m_vessels.begin(), m_vessels.end(), [&](const Vessel& v) { return v.id == vesselId; });
+        const auto it = std::find_if(m_vessels.begin(), m_vessels.end(),
+                                     [&](const Vessel& v) { return v.id == vesselId; });
         if (it == m_vessels.end()) return;  // the missing document is reported where documents are collected
         if (!m_shipIds.insert(id).second) in.problem("id", "is \"" + id + "\" again", "each id once");
         auto ship = std::make_unique<OwnShip>(id, name, *it, m_world->waves);
@@ -142,12 +146,14 @@ private:
         m_world->ships.push_back(std::move(ship));
     }
 
-    /// Alongside: "berth" names it, "along_m" is midship's distance from the face's first point, "side" the side at the quay.
+    /// Alongside: "berth" names it, "along_m" is midship's distance from the face's first point, "side" the
+    /// side at the quay.
     void readBerth(config::Reader& in, OwnShip& ship) {
         config::Reader at(in.child("berth"));
         const std::string berthId = at.text("id");
         const Berth* berth = m_world->area.findBerth(berthId);
-        if (!berth && !berthId.empty()) at.problem("id", "is \"" + berthId + "\"", "a berth of area " + m_world->area.id);
+        if (!berth && !berthId.empty())
+            at.problem("id", "is \"" + berthId + "\"", "a berth of area " + m_world->area.id);
         const double along_m = at.number("along_m", {0.0, 5000.0, "m"});
         const bool port = at.choice<bool>("side", {{"port", true}, {"starboard", false}});
         at.rejectUnknownKeys();
@@ -168,11 +174,15 @@ private:
         config::Reader in(node);
         const std::string id = in.id("id"), fairleadId = in.text("fairlead"), bollardId = in.text("bollard");
         const Fairlead* fairlead = ship.vessel.mooring.find(fairleadId);
-        if (!fairlead && !fairleadId.empty()) in.problem("fairlead", "is \"" + fairleadId + "\"", "a fairlead of vessel " + ship.vessel.id);
+        if (!fairlead && !fairleadId.empty())
+            in.problem("fairlead", "is \"" + fairleadId + "\"", "a fairlead of vessel " + ship.vessel.id);
         const Berth::Bollard* bollard = m_world->area.findBollard(bollardId);
-        if (!bollard && !bollardId.empty()) in.problem("bollard", "is \"" + bollardId + "\"", "a bollard of area " + m_world->area.id);
-        if (std::count(ship.lineIds.begin(), ship.lineIds.end(), id)) in.problem("id", "is \"" + id + "\" again", "each id once");
-        if (ship.lines.size() == kMostLines) node.problem("is one too many", "at most " + std::to_string(kMostLines) + " lines");
+        if (!bollard && !bollardId.empty())
+            in.problem("bollard", "is \"" + bollardId + "\"", "a bollard of area " + m_world->area.id);
+        if (std::count(ship.lineIds.begin(), ship.lineIds.end(), id))
+            in.problem("id", "is \"" + id + "\" again", "each id once");
+        if (ship.lines.size() == kMostLines)
+            node.problem("is one too many", "at most " + std::to_string(kMostLines) + " lines");
         in.rejectUnknownKeys();
         if (!fairlead || !bollard || ship.lines.size() == kMostLines) return;
         ship.lineIds.push_back(id);
@@ -199,7 +209,8 @@ private:
         for (const config::Node& node : nodes) m_world->events.push_back(readEvent(node, context, names));
     }
 
-    ScenarioEvent readEvent(const config::Node& node, const MissionContext& context, const OrderNames& names) {
+    ScenarioEvent readEvent(const config::Node& node, const MissionContext& context,
+                            const OrderNames& names) {
         config::Reader in(node);
         ScenarioEvent event;
         event.id = in.id("id");
@@ -249,7 +260,8 @@ OrderNames orderNames(const World& world) {
     return names;
 }
 
-Result<std::shared_ptr<const World>, config::Problems> buildWorld(const ExerciseDocuments& documents, std::uint64_t seed) {
+Result<std::shared_ptr<const World>, config::Problems> buildWorld(const ExerciseDocuments& documents,
+                                                                  std::uint64_t seed) {
     config::Document scenario(documents.scenario.name, documents.scenario.text);
     scenario.isKind("scenario", kScenarioDocumentVersion);
     auto area = loadArea(documents.area.name, documents.area.text);

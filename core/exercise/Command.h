@@ -9,10 +9,12 @@
 namespace sagara::core {
 
 /// Every order there is. Recordings hold the index: new kinds go to the end.
-using Order = std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder, AnchorOrder,
-                           WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder, FinishOrder>;
+using Order =
+    std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder, AnchorOrder,
+                 WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder, FinishOrder>;
 
-/// The only way into a running exercise: an order, the own ship it is for (or none) and the tick it is carried out in.
+/// The only way into a running exercise: an order, the own ship it is for (or none) and the tick it is
+/// carried out in.
 struct Command {
     std::int64_t tick = 0;
     std::uint8_t ship = 0;

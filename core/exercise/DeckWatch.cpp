@@ -7,7 +7,8 @@ namespace {
 
 constexpr double kDragReport_m = 10.0;  // dragging is reported every so far
 
-Event deckEvent(const State& state, EventKind kind, std::size_t ship, std::size_t index, NorthEast place, double value) {
+Event deckEvent(const State& state, EventKind kind, std::size_t ship, std::size_t index, NorthEast place,
+                double value) {
     Event e;
     e.tick = state.tick;
     e.kind = kind;
@@ -54,7 +55,8 @@ void DeckWatch::report(const World& world, const State& state, std::vector<Event
             if (before.anchors[k] == AnchorStatus::Home && a.status != AnchorStatus::Home) {
                 add(EventKind::AnchorLetGo, k, hawse, ahead_mps);
             }
-            if (before.anchors[k] != AnchorStatus::Home && a.status == AnchorStatus::Home) add(EventKind::AnchorHome, k, hawse, 0.0);
+            if (before.anchors[k] != AnchorStatus::Home && a.status == AnchorStatus::Home)
+                add(EventKind::AnchorHome, k, hawse, 0.0);
             if (before.anchors[k] != AnchorStatus::CableParted && a.status == AnchorStatus::CableParted) {
                 add(EventKind::CableParted, k, hawse, 0.0);
             }

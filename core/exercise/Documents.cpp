@@ -9,23 +9,29 @@ namespace sagara::core {
 
 const char* documentKindName(DocumentKind kind) {
     switch (kind) {
-        case DocumentKind::Vessel: return "vessel";
-        case DocumentKind::Area: return "area";
-        case DocumentKind::Scenario: return "scenario";
+        case DocumentKind::Vessel:
+            return "vessel";
+        case DocumentKind::Area:
+            return "area";
+        case DocumentKind::Scenario:
+            return "scenario";
     }
     return "";
 }
 
-Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario, const DocumentSource& source) {
+Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario,
+                                                             const DocumentSource& source) {
     config::Document document(scenario.name, scenario.text);
     if (!document.isKind("scenario", kScenarioDocumentVersion)) return document.problems();
     ExerciseDocuments all;
-    const auto take = [&](config::Reader& in, const char* key, DocumentKind kind) -> std::optional<NamedText> {
+    const auto take = [&](config::Reader& in, const char* key,
+                          DocumentKind kind) -> std::optional<NamedText> {
         const std::string id = in.id(key);
         if (id.empty()) return std::nullopt;
         auto text = source.find(kind, id);
         if (!text) {
-            in.problem(key, "names \"" + id + "\", which is not known", "the id of " + std::string(documentKindName(kind)) + " in the database");
+            in.problem(key, "names \"" + id + "\", which is not known",
+                       "the id of " + std::string(documentKindName(kind)) + " in the database");
             return std::nullopt;
         }
         return NamedText{id, std::move(*text)};

@@ -47,6 +47,7 @@ public:
 };
 
 /// The scenario with the area and the vessels it names. What is not to be found is a problem at its path.
-Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario, const DocumentSource& source);
+Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario,
+                                                             const DocumentSource& source);
 
 }  // namespace sagara::core

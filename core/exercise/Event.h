@@ -10,28 +10,28 @@ namespace sagara::core {
 
 /// Kinds of what happens in a tick. Recordings hold the number: new kinds go to the end.
 enum class EventKind : std::uint8_t {
-    LineLetGo,        ///< index: line
-    LineIn,           ///< index: line
-    LineParted,       ///< index: line; value: tension, N
-    AnchorLetGo,      ///< index: anchor; place: of the hawse; value: speed along the heading over ground, m/s
-    AnchorOnBottom,   ///< index: anchor; place: of the anchor
-    AnchorDragging,   ///< index: anchor; value: pull, N
-    AnchorHome,       ///< index: anchor
-    CableParted,      ///< index: anchor
-    Contact,          ///< contact: with what; value: approach speed, m/s; energy; index: other ship
-    Grounding,        ///< value: speed through the water, m/s
-    Afloat,           ///< off the ground again
-    TaskDone,         ///< index: task
-    Deduction,        ///< index: criterion; value, limit, points
-    MissionFailed,    ///< index: criterion
-    Finished,         ///< the exercise is over
-    ScenarioEvent,    ///< index: event of the scenario
-    FaultCame,        ///< index: Fault
-    FaultMended,      ///< index: Fault
-    TargetAppeared,   ///< index: target
-    TargetGone,       ///< index: target
-    LevelChanged,     ///< index: level
-    Stopped           ///< a value was not finite: the exercise cannot go on; index: component, see componentName
+    LineLetGo,       ///< index: line
+    LineIn,          ///< index: line
+    LineParted,      ///< index: line; value: tension, N
+    AnchorLetGo,     ///< index: anchor; place: of the hawse; value: speed along the heading over ground, m/s
+    AnchorOnBottom,  ///< index: anchor; place: of the anchor
+    AnchorDragging,  ///< index: anchor; value: pull, N
+    AnchorHome,      ///< index: anchor
+    CableParted,     ///< index: anchor
+    Contact,         ///< contact: with what; value: approach speed, m/s; energy; index: other ship
+    Grounding,       ///< value: speed through the water, m/s
+    Afloat,          ///< off the ground again
+    TaskDone,        ///< index: task
+    Deduction,       ///< index: criterion; value, limit, points
+    MissionFailed,   ///< index: criterion
+    Finished,        ///< the exercise is over
+    ScenarioEvent,   ///< index: event of the scenario
+    FaultCame,       ///< index: Fault
+    FaultMended,     ///< index: Fault
+    TargetAppeared,  ///< index: target
+    TargetGone,      ///< index: target
+    LevelChanged,    ///< index: level
+    Stopped  ///< a value was not finite: the exercise cannot go on; index: component, see componentName
 };
 const char* eventKindName(EventKind kind);
 
@@ -50,8 +50,8 @@ struct Event {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.tick, self.kind, self.ship, self.contact, self.index, self.place, self.value, self.limit, self.points,
-           self.energy_J);
+        ar(self.tick, self.kind, self.ship, self.contact, self.index, self.place, self.value, self.limit,
+           self.points, self.energy_J);
     }
     SimTime time() const { return timeOfTick(tick); }
 };

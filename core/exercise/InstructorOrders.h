@@ -22,8 +22,8 @@ struct WeatherOrder {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.windSpeed_mps, self.windFrom_rad, self.gustiness, self.swells, self.current, self.visibility_m, self.rain,
-           self.ramp_s);
+        ar(self.windSpeed_mps, self.windFrom_rad, self.gustiness, self.swells, self.current,
+           self.visibility_m, self.rain, self.ramp_s);
     }
 };
 

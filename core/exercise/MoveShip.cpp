@@ -11,8 +11,8 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kGroundNear_m = 1.5;               // with less water the ground is felt for in every stage
-constexpr double kContactNoise_mps = 0.03;          // softer touches are not reported
+constexpr double kGroundNear_m = 1.5;       // with less water the ground is felt for in every stage
+constexpr double kContactNoise_mps = 0.03;  // softer touches are not reported
 constexpr std::int64_t kNewContact_ticks = kTicksPerSecond;  // apart this long, a touch is a new one
 
 /// The ships that can be touched, as they are at the begin of the tick.
@@ -23,16 +23,22 @@ void addShips(const World& world, const State& state, std::size_t index, Obstacl
         const TargetState& t = state.targets[i];
         const TargetLayout& layout = world.targets[i];
         if (!t.present || distance(t.position, here) > own.hull.radius_m + layout.length_m) continue;
-        obstacles.ships.add({layout.outline, {0.5 * layout.length_m, 0.5 * layout.beam_m}, t.position, t.heading_rad, t.velocity(), layout.mass_kg(), static_cast<std::int32_t>(i)});
+        obstacles.ships.add({layout.outline,
+                             {0.5 * layout.length_m, 0.5 * layout.beam_m},
+                             t.position,
+                             t.heading_rad,
+                             t.velocity(),
+                             layout.mass_kg(),
+                             static_cast<std::int32_t>(i)});
     }
     for (std::size_t i = 0; i < state.ships.size(); ++i) {
         if (i == index) continue;
         const OwnShip& other = *world.ships[i];
         const OwnShipState& s = state.ships[i];
         if (distance(s.motion.position(), here) > own.hull.radius_m + other.hull.radius_m) continue;
-        obstacles.ships.add({other.hull.outline, other.hull.halfSize, s.motion.position(), s.motion.heading_rad,
-                             overGround_mps(s, state.weather.now.current), other.hull.lateralMass_kg,
-                             -1 - static_cast<std::int32_t>(i)});
+        obstacles.ships.add({other.hull.outline, other.hull.halfSize, s.motion.position(),
+                             s.motion.heading_rad, overGround_mps(s, state.weather.now.current),
+                             other.hull.lateralMass_kg, -1 - static_cast<std::int32_t>(i)});
     }
 }
 
@@ -91,8 +97,11 @@ void reportGround(State& state, std::size_t index, double clearance_m, std::vect
 
 /// Index for componentName of the first value that is not finite, or -1.
 std::int32_t notFinite(const ShipMotion& m) {
-    const double values[] = {m.north_m + m.east_m, m.down_m, m.roll_rad, m.pitch_rad, m.heading_rad, m.surge_mps, m.sway_mps,
-                             m.heaveRate_mps + m.rollRate_radps + m.pitchRate_radps + m.yawRate_radps};
+    const double values[] = {
+        m.north_m + m.east_m, m.down_m,
+        m.roll_rad,           m.pitch_rad,
+        m.heading_rad,        m.surge_mps,
+        m.sway_mps,           m.heaveRate_mps + m.rollRate_radps + m.pitchRate_radps + m.yawRate_radps};
     for (std::size_t i = 0; i < std::size(values); ++i) {
         if (!std::isfinite(values[i])) return static_cast<std::int32_t>(i);
     }
@@ -115,14 +124,15 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
     const NorthEast current = state.weather.now.current, ground = overGround_mps(s, current);
     const Actuators actuators = runMachinery(world, ship, s);
 
-    // Waves and wind act for the whole tick as they are in its middle; what is stiff is worked out in every stage.
+    // Waves and wind act for the whole tick as they are in its middle; what is stiff is worked out in every
+    // stage.
     const HeadingFrame frame({}, s.motion.heading_rad);
     const NorthEast middle = s.motion.position() + 0.5 * kTick_s * ground;
     const double middleHeading_rad = s.motion.heading_rad + 0.5 * kTick_s * s.motion.yawRate_radps;
-    const WaveEffect waves = ship.dynamics.waveLoad().at(state.weather.sea, environment.waves, middle, middleHeading_rad,
-                                                         world.area.shelterFactor(middle));
-    Load slow = windLoad(ship.vessel.windage, ship.vessel.hull.lengthOverall_m, environment.wind, s.motion.heading_rad,
-                         frame.vectorInBody(ground));
+    const WaveEffect waves = ship.dynamics.waveLoad().at(state.weather.sea, environment.waves, middle,
+                                                         middleHeading_rad, world.area.shelterFactor(middle));
+    Load slow = windLoad(ship.vessel.windage, ship.vessel.hull.lengthOverall_m, environment.wind,
+                         s.motion.heading_rad, frame.vectorInBody(ground));
     for (std::size_t k = 0; k < ship.anchorCount(); ++k) {
         slow = slow + anchorLoad(ship.vessel.groundTackle.anchors[k], s.anchors[k], s.motion);
     }
@@ -157,13 +167,15 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
         workLine(ship.vessel.mooring, ship.lines[k], s.lines[k], s.motion, kTick_s);
     }
     for (std::size_t k = 0; k < ship.anchorCount(); ++k) {
-        const AnchorGround under{world.area.depth_m(s.motion.position()) + environment.tide_m, world.area.holdingRatio};
+        const AnchorGround under{world.area.depth_m(s.motion.position()) + environment.tide_m,
+                                 world.area.holdingRatio};
         workAnchor(ship.vessel.groundTackle.anchors[k], s.anchors[k], under, s.motion, kTick_s);
     }
     if (!obstacles.empty()) {
         reportContacts(findTouches(obstacles, ship.hull, s.motion, current), state, index, events);
     }
-    reportGround(state, index, underKeel(world.area, ship.keel, s.motion, environment.tide_m).clearance_m, events);
+    reportGround(state, index, underKeel(world.area, ship.keel, s.motion, environment.tide_m).clearance_m,
+                 events);
 }
 
 }  // namespace sagara::core

@@ -8,7 +8,9 @@ namespace {
 const ShipMotion& nearestOwnShip(const State& state, NorthEast p) {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < state.ships.size(); ++i) {
-        if (distance(state.ships[i].motion.position(), p) < distance(state.ships[nearest].motion.position(), p)) nearest = i;
+        if (distance(state.ships[i].motion.position(), p) <
+            distance(state.ships[nearest].motion.position(), p))
+            nearest = i;
     }
     return state.ships[nearest].motion;
 }
@@ -24,13 +26,17 @@ void moveTargets(const World& world, State& state, double dt_s) {
         NorthEast drift = state.weather.now.current;
         switch (layout.behaviour) {
             case TargetBehaviour::Route:
-            case TargetBehaviour::Circuit: intent = followRoute(layout, target); break;
+            case TargetBehaviour::Circuit:
+                intent = followRoute(layout, target);
+                break;
             case TargetBehaviour::Hostile: {
                 const ShipMotion& own = nearestOwnShip(state, target.position);
                 intent = hostileIntent(layout, target, own.position(), own.heading_rad, own.surge_mps, dt_s);
                 break;
             }
-            case TargetBehaviour::Lying: drift = {}; break;  // at anchor
+            case TargetBehaviour::Lying:
+                drift = {};
+                break;  // at anchor
         }
         moveTarget(layout, target, intent, drift, dt_s);
     }

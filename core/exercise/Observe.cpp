@@ -5,9 +5,10 @@
 namespace sagara::core {
 namespace {
 
-/// Hull to hull, exact to the length of an outline's side when they are near, centre distance less radii when far.
-double clearance_m(const OwnShip& ship, const HeadingFrame& frame, NorthEast position, const TargetLayout& layout,
-                   const TargetState& target) {
+/// Hull to hull, exact to the length of an outline's side when they are near, centre distance less radii when
+/// far.
+double clearance_m(const OwnShip& ship, const HeadingFrame& frame, NorthEast position,
+                   const TargetLayout& layout, const TargetState& target) {
     const double far_m = distance(position, target.position) - ship.hull.radius_m - 0.5 * layout.length_m;
     if (far_m > 4.0 * ship.hull.radius_m) return far_m;
     const HeadingFrame theirs(target.position, target.heading_rad);
@@ -80,12 +81,23 @@ std::optional<Happening> happeningOf(const Event& event) {
     h.speed_mps = event.value;
     h.energy_J = event.energy_J;
     switch (event.kind) {
-        case EventKind::AnchorLetGo: h.kind = Happening::Kind::AnchorLetGo; return h;
-        case EventKind::Contact: h.kind = Happening::Kind::Contact; return h;
-        case EventKind::Grounding: h.kind = Happening::Kind::Grounding; return h;
-        case EventKind::LineParted: h.kind = Happening::Kind::LineParted; return h;
-        case EventKind::CableParted: h.kind = Happening::Kind::CableParted; return h;
-        default: return std::nullopt;
+        case EventKind::AnchorLetGo:
+            h.kind = Happening::Kind::AnchorLetGo;
+            return h;
+        case EventKind::Contact:
+            h.kind = Happening::Kind::Contact;
+            return h;
+        case EventKind::Grounding:
+            h.kind = Happening::Kind::Grounding;
+            return h;
+        case EventKind::LineParted:
+            h.kind = Happening::Kind::LineParted;
+            return h;
+        case EventKind::CableParted:
+            h.kind = Happening::Kind::CableParted;
+            return h;
+        default:
+            return std::nullopt;
     }
 }
 

@@ -9,19 +9,23 @@ namespace sagara::core {
 namespace {
 
 /// Index of a name, or nothing and a problem.
-std::optional<std::uint8_t> indexOf(config::Reader& in, const char* key, const std::vector<std::string>& names) {
+std::optional<std::uint8_t> indexOf(config::Reader& in, const char* key,
+                                    const std::vector<std::string>& names) {
     const std::string name = in.text(key);
     const auto it = std::find(names.begin(), names.end(), name);
     if (it != names.end()) return static_cast<std::uint8_t>(it - names.begin());
     std::string known;
     for (const std::string& n : names) known += (known.empty() ? "" : ", ") + n;
-    if (!name.empty()) in.problem(key, "is \"" + name + "\"", known.empty() ? "nothing: there are none" : "one of " + known);
+    if (!name.empty())
+        in.problem(key, "is \"" + name + "\"", known.empty() ? "nothing: there are none" : "one of " + known);
     return std::nullopt;
 }
 
 const config::Range kRudder{-70.0, 70.0, "deg"}, kDegrees{0.0, 360.0, "deg"};
 
-Order readHelm(config::Reader& in, const OrderNames::Ship&) { return HelmOrder{kDegree_rad * in.number("rudder_deg", kRudder)}; }
+Order readHelm(config::Reader& in, const OrderNames::Ship&) {
+    return HelmOrder{kDegree_rad * in.number("rudder_deg", kRudder)};
+}
 
 std::uint8_t readShaft(config::Reader& in, const OrderNames::Ship& ship) {
     return in.has("shaft") ? indexOf(in, "shaft", ship.shafts).value_or(std::uint8_t{0}) : kAllShafts;
@@ -30,7 +34,8 @@ std::uint8_t readShaft(config::Reader& in, const OrderNames::Ship& ship) {
 Order readTelegraph(config::Reader& in, const OrderNames::Ship& ship) {
     TelegraphOrder order{readShaft(in, ship), TelegraphStep::Stop};
     std::vector<std::string> steps;
-    for (std::size_t i = 0; i < kTelegraphSteps; ++i) steps.emplace_back(telegraphStepName(static_cast<TelegraphStep>(i)));
+    for (std::size_t i = 0; i < kTelegraphSteps; ++i)
+        steps.emplace_back(telegraphStepName(static_cast<TelegraphStep>(i)));
     if (const auto step = indexOf(in, "step", steps)) order.step = static_cast<TelegraphStep>(*step);
     return order;
 }
@@ -42,8 +47,10 @@ Order readShaftSpeed(config::Reader& in, const OrderNames::Ship& ship) {
 Order readAutopilot(config::Reader& in, const OrderNames::Ship&) {
     AutopilotOrder order;
     order.mode = in.choice<AutopilotMode>(
-        "mode", {{"off", AutopilotMode::Off}, {"heading", AutopilotMode::Heading}, {"track", AutopilotMode::Track}});
-    if (order.mode == AutopilotMode::Heading) order.heading_rad = kDegree_rad * in.number("heading_deg", kDegrees);
+        "mode",
+        {{"off", AutopilotMode::Off}, {"heading", AutopilotMode::Heading}, {"track", AutopilotMode::Track}});
+    if (order.mode == AutopilotMode::Heading)
+        order.heading_rad = kDegree_rad * in.number("heading_deg", kDegrees);
     return order;
 }
 
@@ -66,7 +73,8 @@ Order readAnchor(config::Reader& in, const OrderNames::Ship& ship) {
                                                       {"veer", AnchorAction::Veer},
                                                       {"hold", AnchorAction::Hold},
                                                       {"heaveIn", AnchorAction::HeaveIn}});
-    if (order.action != AnchorAction::Hold) order.cable_m = kShackle_m * in.number("shackles", {0.0, 20.0, "shackles"});
+    if (order.action != AnchorAction::Hold)
+        order.cable_m = kShackle_m * in.number("shackles", {0.0, 20.0, "shackles"});
     return order;
 }
 
@@ -112,8 +120,10 @@ Order readFault(config::Reader& in, const OrderNames::Ship& ship) {
     order.fault = in.choice<Fault>("fault", {{"steeringPump", Fault::SteeringPump},
                                              {"steeringJam", Fault::SteeringJam},
                                              {"engine", Fault::Engine}});
-    if (order.fault == Fault::SteeringPump) order.number = static_cast<std::uint8_t>(in.integerOr("pumps", 1, 1, 2));
-    if (order.fault == Fault::Engine) order.number = indexOf(in, "shaft", ship.shafts).value_or(std::uint8_t{0});
+    if (order.fault == Fault::SteeringPump)
+        order.number = static_cast<std::uint8_t>(in.integerOr("pumps", 1, 1, 2));
+    if (order.fault == Fault::Engine)
+        order.number = indexOf(in, "shaft", ship.shafts).value_or(std::uint8_t{0});
     order.mended = in.flagOr("mended", false);
     return order;
 }
@@ -126,7 +136,8 @@ Order readTarget(config::Reader& in, const OrderNames& names) {
                                                       {"stop", TargetAction::Stop},
                                                       {"resume", TargetAction::Resume},
                                                       {"setSpeed", TargetAction::SetSpeed}});
-    if (order.action == TargetAction::SetSpeed) order.speed_mps = kKnot_mps * in.number("speed_kn", {0.0, 60.0, "kn"});
+    if (order.action == TargetAction::SetSpeed)
+        order.speed_mps = kKnot_mps * in.number("speed_kn", {0.0, 60.0, "kn"});
     return order;
 }
 
@@ -135,7 +146,21 @@ Order readTarget(config::Reader& in, const OrderNames& names) {
 WaveSystem readSwell(const config::Node& node) { return readSwellOf(node); }
 
 std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names) {
-    enum class Kind { Helm, Telegraph, Shaft, Autopilot, Pilot, Line, Anchor, Weather, Fault, Target, Difficulty, Event, Finish };
+    enum class Kind {
+        Helm,
+        Telegraph,
+        Shaft,
+        Autopilot,
+        Pilot,
+        Line,
+        Anchor,
+        Weather,
+        Fault,
+        Target,
+        Difficulty,
+        Event,
+        Finish
+    };
     // A new kind of order: its value in Command.h, its reader above and one line here and below.
     const auto kind = in.choiceIfKnown<Kind>("order", {{"helm", Kind::Helm},
                                                        {"telegraph", Kind::Telegraph},
@@ -157,19 +182,45 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
     if (!kind || names.ships.empty()) return std::nullopt;
     const OrderNames::Ship& ship = names.ships[named.ship];
     switch (*kind) {
-        case Kind::Helm: named.order = readHelm(in, ship); break;
-        case Kind::Telegraph: named.order = readTelegraph(in, ship); break;
-        case Kind::Shaft: named.order = readShaftSpeed(in, ship); break;
-        case Kind::Autopilot: named.order = readAutopilot(in, ship); break;
-        case Kind::Pilot: named.order = readPilot(in, ship); break;
-        case Kind::Line: named.order = readLine(in, ship); break;
-        case Kind::Anchor: named.order = readAnchor(in, ship); break;
-        case Kind::Weather: named.order = readWeather(in, ship); break;
-        case Kind::Fault: named.order = readFault(in, ship); break;
-        case Kind::Target: named.order = readTarget(in, names); break;
-        case Kind::Difficulty: named.order = DifficultyOrder{static_cast<std::uint8_t>(in.integer("level", 1, 5))}; break;
-        case Kind::Event: named.order = TriggerOrder{indexOf(in, "event", names.events).value_or(std::uint8_t{0})}; break;
-        case Kind::Finish: named.order = FinishOrder{}; break;
+        case Kind::Helm:
+            named.order = readHelm(in, ship);
+            break;
+        case Kind::Telegraph:
+            named.order = readTelegraph(in, ship);
+            break;
+        case Kind::Shaft:
+            named.order = readShaftSpeed(in, ship);
+            break;
+        case Kind::Autopilot:
+            named.order = readAutopilot(in, ship);
+            break;
+        case Kind::Pilot:
+            named.order = readPilot(in, ship);
+            break;
+        case Kind::Line:
+            named.order = readLine(in, ship);
+            break;
+        case Kind::Anchor:
+            named.order = readAnchor(in, ship);
+            break;
+        case Kind::Weather:
+            named.order = readWeather(in, ship);
+            break;
+        case Kind::Fault:
+            named.order = readFault(in, ship);
+            break;
+        case Kind::Target:
+            named.order = readTarget(in, names);
+            break;
+        case Kind::Difficulty:
+            named.order = DifficultyOrder{static_cast<std::uint8_t>(in.integer("level", 1, 5))};
+            break;
+        case Kind::Event:
+            named.order = TriggerOrder{indexOf(in, "event", names.events).value_or(std::uint8_t{0})};
+            break;
+        case Kind::Finish:
+            named.order = FinishOrder{};
+            break;
     }
     return named;
 }

@@ -25,8 +25,8 @@ struct OrderNames {
 struct World;
 OrderNames orderNames(const World& world);
 
-/// One order from its object: "order" names the kind, "ship" the own ship (default the first). See OrderDocument.cpp for the
-/// members of each kind; README.md of this folder lists them for people.
+/// One order from its object: "order" names the kind, "ship" the own ship (default the first). See
+/// OrderDocument.cpp for the members of each kind; README.md of this folder lists them for people.
 struct NamedOrder {
     std::uint8_t ship = 0;
     Order order;
@@ -36,8 +36,9 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
 /// {"height_m", "period_s", "from_deg"} and, if wanted, "gamma" and "spreading".
 WaveSystem readSwell(const config::Node& node);
 
-/// A command file: {"document": "commands", "version": 1, "scenario": id, "commands": [{"time_s": .., "order": .., ..}]}, times
-/// not falling. The scenario is for people and for checking the file; any that has the names will do.
+/// A command file: {"document": "commands", "version": 1, "scenario": id, "commands": [{"time_s": ..,
+/// "order": .., ..}]}, times not falling. The scenario is for people and for checking the file; any that has
+/// the names will do.
 Result<std::vector<Command>, config::Problems> loadCommands(const std::string& name, std::string_view text,
                                                             const OrderNames& names);
 

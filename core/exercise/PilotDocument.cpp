@@ -31,9 +31,11 @@ RunStep readRun(config::Reader& in, const Vessel& vessel) {
     RunStep step;
     step.rudder_rad = kDegree_rad * in.number("rudder_deg", {-70.0, 70.0, "deg"});
     step.shafts_rps = readShafts(in, vessel);
-    if (in.has("headingChange_deg")) step.headingChange_rad = kDegree_rad * in.number("headingChange_deg", {1.0, 360.0, "deg"});
+    if (in.has("headingChange_deg"))
+        step.headingChange_rad = kDegree_rad * in.number("headingChange_deg", {1.0, 360.0, "deg"});
     if (in.has("moved_m")) step.moved_m = in.number("moved_m", {1.0, 5000.0, "m"});
-    if (in.has("slowerThan_kn")) step.slowerThan_mps = kKnot_mps * in.number("slowerThan_kn", {0.05, 30.0, "kn"});
+    if (in.has("slowerThan_kn"))
+        step.slowerThan_mps = kKnot_mps * in.number("slowerThan_kn", {0.05, 30.0, "kn"});
     step.atMost_s = in.number("atMost_s", kSeconds);
     return step;
 }
@@ -58,8 +60,10 @@ AnchorStep readAnchor(config::Reader& in, const MissionContext& context, const V
     step.place = context.readPlace(in, "at");
     const std::string id = in.text("anchor");
     const auto& anchors = vessel.groundTackle.anchors;
-    const auto it = std::find_if(anchors.begin(), anchors.end(), [&](const AnchorGear& a) { return a.id == id; });
-    if (it == anchors.end() && !id.empty()) in.problem("anchor", "is \"" + id + "\"", "an anchor of vessel " + vessel.id);
+    const auto it =
+        std::find_if(anchors.begin(), anchors.end(), [&](const AnchorGear& a) { return a.id == id; });
+    if (it == anchors.end() && !id.empty())
+        in.problem("anchor", "is \"" + id + "\"", "an anchor of vessel " + vessel.id);
     if (it != anchors.end()) step.anchor = static_cast<std::uint8_t>(it - anchors.begin());
     step.firstCable_m = kShackle_m * in.number("first_shackles", {0.5, 20.0, "shackles"});
     step.cable_m = kShackle_m * in.number("shackles", {0.5, 20.0, "shackles"});
@@ -74,15 +78,28 @@ PilotScript readPilotScript(config::Reader& scenario, const MissionContext& cont
     PilotScript script;
     for (const config::Node& node : scenario.listOr("pilot")) {
         config::Reader in(node);
-        const auto what = in.choiceIfKnown<Do>(
-            "do", {{"lines", Do::Lines}, {"run", Do::Run}, {"turn", Do::Turn}, {"track", Do::Track}, {"anchor", Do::Anchor}});
+        const auto what = in.choiceIfKnown<Do>("do", {{"lines", Do::Lines},
+                                                      {"run", Do::Run},
+                                                      {"turn", Do::Turn},
+                                                      {"track", Do::Track},
+                                                      {"anchor", Do::Anchor}});
         if (!what) continue;
         switch (*what) {
-            case Do::Lines: script.emplace_back(readLines(in, context)); break;
-            case Do::Run: script.emplace_back(readRun(in, vessel)); break;
-            case Do::Turn: script.emplace_back(readTurn(in)); break;
-            case Do::Track: script.emplace_back(readTrack(in, context)); break;
-            case Do::Anchor: script.emplace_back(readAnchor(in, context, vessel)); break;
+            case Do::Lines:
+                script.emplace_back(readLines(in, context));
+                break;
+            case Do::Run:
+                script.emplace_back(readRun(in, vessel));
+                break;
+            case Do::Turn:
+                script.emplace_back(readTurn(in));
+                break;
+            case Do::Track:
+                script.emplace_back(readTrack(in, context));
+                break;
+            case Do::Anchor:
+                script.emplace_back(readAnchor(in, context, vessel));
+                break;
         }
         in.rejectUnknownKeys();
     }

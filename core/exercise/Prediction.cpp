@@ -21,14 +21,16 @@ State undisturbed(State state) {
 
 }  // namespace
 
-std::vector<PredictedPose> predict(const World& world, const State& now, std::size_t ship, double seconds, double every_s) {
+std::vector<PredictedPose> predict(const World& world, const State& now, std::size_t ship, double seconds,
+                                   double every_s) {
     State ahead = undisturbed(now);
     const auto end = ahead.tick + std::llround(seconds * kTicksPerSecond);
     const auto every = std::max<std::int64_t>(1, std::llround(every_s * kTicksPerSecond));
     std::vector<PredictedPose> poses;
     while (ahead.tick <= end && !ahead.stopped && !ahead.ships[ship].aground) {
         const ShipMotion& m = ahead.ships[ship].motion;
-        if ((ahead.tick - now.tick) % every == 0) poses.push_back({ahead.time(), m.position(), m.heading_rad});
+        if ((ahead.tick - now.tick) % every == 0)
+            poses.push_back({ahead.time(), m.position(), m.heading_rad});
         (void)advance(world, ahead);
     }
     return poses;

@@ -11,8 +11,8 @@
 #include "core/exercise/State.h"
 #include "core/exercise/Track.h"
 
-/// A recording: what the run was made of and everything that went into it, so that it can be run again to the bit, begun
-/// anywhere, graded by another rubric, and shown by a later build from its kinematic track.
+/// A recording: what the run was made of and everything that went into it, so that it can be run again to the
+/// bit, begun anywhere, graded by another rubric, and shown by a later build from its kinematic track.
 ///
 ///   "SGRREC01"                      eight bytes
 ///   chunk*                          kind (1), length (4), hash of kind and payload (8), payload
@@ -21,8 +21,8 @@
 ///     T second  every second        commands, events and track samples of it
 ///     E end     once                RecordingEnd
 ///
-/// Chunks are written when they are whole and never changed. A file that was cut off or damaged is read up to the first
-/// chunk that is not whole.
+/// Chunks are written when they are whole and never changed. A file that was cut off or damaged is read up to
+/// the first chunk that is not whole.
 namespace sagara::core {
 
 inline constexpr std::uint32_t kRecordingVersion = 1;
@@ -32,8 +32,8 @@ struct RecordingHeader {
     std::string buildId;
     std::uint64_t seed = 0;
     std::int32_t level = 1;
-    std::string runType;    ///< "assess", "self-study", ...
-    std::string trainee;    ///< empty: nobody named
+    std::string runType;             ///< "assess", "self-study", ...
+    std::string trainee;             ///< empty: nobody named
     std::int64_t startedUnix_s = 0;  ///< wall clock, for the files of the school
     ExerciseDocuments documents;
     std::vector<Command> planned;  ///< commands known before the start, for a run that is taken up again
@@ -69,7 +69,8 @@ public:
     /// Instead of begin, for a file that already holds everything up to this state: at a whole second.
     void goOn(const State& state);
     /// After every tick: what went in, what came out, and how it stands.
-    void tick(const World& world, const State& state, std::span<const Command> commands, std::span<const Event> events);
+    void tick(const World& world, const State& state, std::span<const Command> commands,
+              std::span<const Event> events);
     /// After the last tick.
     void end(const State& state);
 
@@ -90,9 +91,9 @@ private:
 /// A recording read back, as far as it is whole.
 struct Recording {
     RecordingHeader header;
-    std::string damage;                 ///< empty: whole; else what was found and where
-    std::size_t whole_bytes = 0;        ///< length of the part that is whole
-    std::int64_t endTick = 0;           ///< the run is known up to here
+    std::string damage;           ///< empty: whole; else what was found and where
+    std::size_t whole_bytes = 0;  ///< length of the part that is whole
+    std::int64_t endTick = 0;     ///< the run is known up to here
     std::vector<Command> commands;
     std::vector<Event> events;
     std::optional<RecordingEnd> end;
@@ -105,7 +106,7 @@ struct Recording {
     std::vector<StatePart> states;
 
     struct SamplePart {
-        bool restart = false;           ///< the codec begins afresh
+        bool restart = false;  ///< the codec begins afresh
         std::uint32_t count = 0;
         Bytes bytes;
     };

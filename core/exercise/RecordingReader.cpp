@@ -23,13 +23,15 @@ public:
             return "has no whole header, so nothing of the run can be read (" + m_recording.damage + ")";
         }
         m_recording.whole_bytes = m_at;
-        if (m_recording.damage.empty() && !m_recording.end) m_recording.damage = "the end is missing: the run was broken off";
+        if (m_recording.damage.empty() && !m_recording.end)
+            m_recording.damage = "the end is missing: the run was broken off";
         return std::move(m_recording);
     }
 
 private:
     void damage(const std::string& what) {
-        m_recording.damage = what + " at byte " + std::to_string(m_at) + " of " + std::to_string(m_bytes.size());
+        m_recording.damage =
+            what + " at byte " + std::to_string(m_at) + " of " + std::to_string(m_bytes.size());
     }
 
     void readChunk() {
@@ -98,7 +100,9 @@ private:
 
 }  // namespace
 
-Result<Recording, std::string> readRecording(std::span<const std::byte> bytes) { return Gather(bytes).read(); }
+Result<Recording, std::string> readRecording(std::span<const std::byte> bytes) {
+    return Gather(bytes).read();
+}
 
 bool Recording::sameBuild() const {
     return header.buildId == coreBuildId() && !states.empty() && states.front().version == kStateVersion;

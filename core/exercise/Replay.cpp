@@ -32,7 +32,8 @@ bool fits(const World& world, const State& state) {
     const bool sea = std::all_of(state.weather.sea.active.begin(), state.weather.sea.active.end(),
                                  [&](std::uint16_t i) { return i < world.waves.components().size(); });
     return state.ships.size() == world.ships.size() && state.targets.size() == world.targets.size() &&
-           state.fired.size() == world.events.size() && state.assessment.tasks.size() == world.mission.tasks.size() &&
+           state.fired.size() == world.events.size() &&
+           state.assessment.tasks.size() == world.mission.tasks.size() &&
            state.assessment.criteria.size() == world.mission.criteria.size() && state.level >= 1 &&
            state.level <= kLevels && sea && state.weather.sea.active.size() <= kMostActiveComponents &&
            state.weather.sea.active.size() == state.weather.sea.amplitude_m.size();
@@ -46,7 +47,8 @@ Result<State, std::string> load(const World& world, const Recording::StatePart& 
 
 std::optional<std::string> whyNot(const Recording& recording, std::int64_t tick) {
     if (!recording.sameBuild()) {
-        return "the run was made by another build of Sagara (" + recording.header.buildId + ") and cannot be run again to the bit";
+        return "the run was made by another build of Sagara (" + recording.header.buildId +
+               ") and cannot be run again to the bit";
     }
     if (tick > recording.endTick) return "the recording ends at " + second(recording.endTick);
     return std::nullopt;
@@ -78,7 +80,8 @@ Result<State, std::string> stateAt(const World& world, const Recording& recordin
     return state;
 }
 
-Result<State, std::string> replay(const World& world, const Recording& recording, std::int64_t untilTick, const AfterTick& after) {
+Result<State, std::string> replay(const World& world, const Recording& recording, std::int64_t untilTick,
+                                  const AfterTick& after) {
     if (const auto reason = whyNot(recording, untilTick)) return *reason;
     auto loaded = firstState(world, recording);
     if (!loaded) return loaded;
@@ -90,7 +93,8 @@ Result<State, std::string> replay(const World& world, const Recording& recording
         const std::vector<Event> events = advance(world, state, given);
         after(state, given, events);
         if (check == recording.states.end() || check->tick != state.tick) continue;
-        if (toBytes(state) != check->bytes) return "the run comes out otherwise from " + second(state.tick) + " on";
+        if (toBytes(state) != check->bytes)
+            return "the run comes out otherwise from " + second(state.tick) + " on";
         ++check;
     }
     return state;
@@ -110,7 +114,8 @@ Grading gradeTrack(const Mission& mission, const RoutePath& path, const std::vec
     for (const TrackSample& sample : track) {
         if (sample.tick > untilTick) break;
         takeEvents(sample.tick);
-        if (sample.tick == 0 || sample.ships.empty()) continue;  // the first look is after the first fifth of a second
+        if (sample.tick == 0 || sample.ships.empty())
+            continue;  // the first look is after the first fifth of a second
         last = sample.ships[0].observation;
         assess(mission, path, grading.assessment, *last, grading.events);
         if (!mission.tasks.empty() && allTasksDone(grading.assessment)) break;
@@ -119,7 +124,8 @@ Grading gradeTrack(const Mission& mission, const RoutePath& path, const std::vec
     return grading;
 }
 
-Result<std::shared_ptr<const Mission>, config::Problems> loadRubric(const std::string& name, std::string_view text,
+Result<std::shared_ptr<const Mission>, config::Problems> loadRubric(const std::string& name,
+                                                                    std::string_view text,
                                                                     const World& world) {
     config::Document document(name, text);
     if (!document.isKind("rubric", 1)) return document.problems();

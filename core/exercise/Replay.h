@@ -11,14 +11,15 @@ namespace sagara::core {
 /// The world a recording ran in, from the documents it carries.
 Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording);
 
-/// State of a run at a tick, to the bit: the last stored state not after it, and the commands since. Fails when the
-/// recording is of another build, does not reach so far or its states cannot be read.
+/// State of a run at a tick, to the bit: the last stored state not after it, and the commands since. Fails
+/// when the recording is of another build, does not reach so far or its states cannot be read.
 Result<State, std::string> stateAt(const World& world, const Recording& recording, std::int64_t tick);
 
-/// Runs the whole recording again from its first state. `after` sees every tick. Fails as stateAt does, and when a stored
-/// state on the way does not come out the same: it names the first second that differs.
+/// Runs the whole recording again from its first state. `after` sees every tick. Fails as stateAt does, and
+/// when a stored state on the way does not come out the same: it names the first second that differs.
 using AfterTick = std::function<void(const State&, std::span<const Command>, std::span<const Event>)>;
-Result<State, std::string> replay(const World& world, const Recording& recording, std::int64_t untilTick, const AfterTick& after);
+Result<State, std::string> replay(const World& world, const Recording& recording, std::int64_t untilTick,
+                                  const AfterTick& after);
 
 /// What a mission makes of a run.
 struct Grading {
@@ -26,14 +27,15 @@ struct Grading {
     std::vector<AssessmentEvent> events;
 };
 
-/// Grades the kinematic track and the events of a recording: for a run of another build, or by another mission. Values
-/// are those of the track, rounded.
+/// Grades the kinematic track and the events of a recording: for a run of another build, or by another
+/// mission. Values are those of the track, rounded.
 Grading gradeTrack(const Mission& mission, const RoutePath& path, const std::vector<TrackSample>& track,
                    const std::vector<Event>& events, std::int64_t untilTick);
 
-/// A rubric file: {"document": "rubric", "version": 1, "scenario": id, "mission": {..}}, read against the exercise's area, route
-/// and lines.
-Result<std::shared_ptr<const Mission>, config::Problems> loadRubric(const std::string& name, std::string_view text,
+/// A rubric file: {"document": "rubric", "version": 1, "scenario": id, "mission": {..}}, read against the
+/// exercise's area, route and lines.
+Result<std::shared_ptr<const Mission>, config::Problems> loadRubric(const std::string& name,
+                                                                    std::string_view text,
                                                                     const World& world);
 
 }  // namespace sagara::core

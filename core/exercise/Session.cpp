@@ -4,12 +4,18 @@
 
 namespace sagara::core {
 
-Session::Session(std::shared_ptr<const World> world, State state, std::vector<Command> planned, RecordingWriter* recorder)
-    : m_world(std::move(world)), m_state(std::move(state)), m_planned(std::move(planned)), m_recorder(recorder) {
+Session::Session(std::shared_ptr<const World> world, State state, std::vector<Command> planned,
+                 RecordingWriter* recorder)
+    : m_world(std::move(world)),
+      m_state(std::move(state)),
+      m_planned(std::move(planned)),
+      m_recorder(recorder) {
     while (m_nextPlanned < m_planned.size() && m_planned[m_nextPlanned].tick < m_state.tick) ++m_nextPlanned;
 }
 
-void Session::give(std::uint8_t ship, Order order) { m_given.push_back({m_state.tick, ship, std::move(order)}); }
+void Session::give(std::uint8_t ship, Order order) {
+    m_given.push_back({m_state.tick, ship, std::move(order)});
+}
 
 std::vector<Event> Session::step() {
     m_now.clear();

@@ -8,12 +8,14 @@
 
 namespace sagara::core {
 
-/// A run in progress: the state, the queue of commands and the recorder behind it. Everything that drives an exercise goes
-/// through here, and nothing but this calls advance on it. No clock: the owner decides when the next tick is due.
+/// A run in progress: the state, the queue of commands and the recorder behind it. Everything that drives an
+/// exercise goes through here, and nothing but this calls advance on it. No clock: the owner decides when the
+/// next tick is due.
 class Session {
 public:
     /// `planned`: commands with their ticks, in order. `recorder` may be null and outlives the session.
-    Session(std::shared_ptr<const World> world, State state, std::vector<Command> planned, RecordingWriter* recorder);
+    Session(std::shared_ptr<const World> world, State state, std::vector<Command> planned,
+            RecordingWriter* recorder);
 
     /// An order from outside; it is carried out in the next tick.
     void give(std::uint8_t ship, Order order);

@@ -47,9 +47,9 @@ struct Snapshot {
     std::vector<OwnShipView> ships;
     std::vector<TargetView> targets;
     Weather weather;
-    WindVelocity wind;   ///< with its gusts, at this moment
-    SeaState sea;        ///< with World::waves all there is to draw
-    double tide_m = 0.0; ///< above chart datum
+    WindVelocity wind;    ///< with its gusts, at this moment
+    SeaState sea;         ///< with World::waves all there is to draw
+    double tide_m = 0.0;  ///< above chart datum
     std::vector<TaskView> tasks;
     double score = 100.0;
     bool failed = false;

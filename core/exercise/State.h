@@ -11,11 +11,12 @@
 
 namespace sagara::core {
 
-/// Layout of the archived State. Grows with every change of its fields: an older recording is then replayed from its
-/// kinematic track.
+/// Layout of the archived State. Grows with every change of its fields: an older recording is then replayed
+/// from its kinematic track.
 inline constexpr std::uint32_t kStateVersion = 1;
 
-/// Everything about an exercise that changes. A value: copy it to look ahead, to go back, to try something else.
+/// Everything about an exercise that changes. A value: copy it to look ahead, to go back, to try something
+/// else.
 struct State {
     std::int64_t tick = 0;
     int level = 1;
@@ -26,14 +27,14 @@ struct State {
     Assessment assessment;            ///< of the first own ship
     std::int64_t failedTick = -1;     ///< when the mission failed
     bool finished = false;
-    bool stopped = false;             ///< a value was not finite
+    bool stopped = false;  ///< a value was not finite
 
     SimTime time() const { return timeOfTick(tick); }
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.tick, self.level, self.weather, self.ships, self.targets, self.fired, self.assessment, self.failedTick,
-           self.finished, self.stopped);
+        ar(self.tick, self.level, self.weather, self.ships, self.targets, self.fired, self.assessment,
+           self.failedTick, self.finished, self.stopped);
     }
 };
 

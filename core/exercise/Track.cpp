@@ -112,7 +112,8 @@ TrackSample sampleOf(const World& world, const State& state) {
         ship.observation = observe(world, state, i);
         sample.ships.push_back(ship);
     }
-    for (const TargetState& t : state.targets) sample.targets.push_back({t.present, t.position, t.heading_rad, t.speed_mps});
+    for (const TargetState& t : state.targets)
+        sample.targets.push_back({t.present, t.position, t.heading_rad, t.speed_mps});
     return sample;
 }
 
@@ -127,7 +128,8 @@ void TrackCodec::encode(const TrackSample& sample, Bytes& out) {
     });
 }
 
-bool TrackCodec::decode(std::span<const std::byte>& bytes, std::size_t ships, std::size_t targets, TrackSample& sample) {
+bool TrackCodec::decode(std::span<const std::byte>& bytes, std::size_t ships, std::size_t targets,
+                        TrackSample& sample) {
     sample.ships.resize(ships);
     sample.targets.resize(targets);
     std::size_t i = 0;
@@ -137,7 +139,8 @@ bool TrackCodec::decode(std::span<const std::byte>& bytes, std::size_t ships, st
         ok = ok && takeVarint(bytes, change);
         if (i == m_last.size()) m_last.push_back(0);
         // in unsigned arithmetic: damaged bytes may overflow
-        m_last[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(m_last[i]) + static_cast<std::uint64_t>(change));
+        m_last[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(m_last[i]) +
+                                              static_cast<std::uint64_t>(change));
         field = fieldOf<std::remove_reference_t<decltype(field)>>(static_cast<double>(m_last[i++]) * step);
     });
     for (ShipSample& ship : sample.ships) {

@@ -38,14 +38,17 @@ struct TrackSample {
 
 TrackSample sampleOf(const World& world, const State& state);
 
-/// Writes samples as differences of rounded values in as few bytes as they need, and reads them back. Rounding: 1 cm,
-/// 1 mm/s, 0.006 deg. Writer and reader begin afresh at every State of a recording, so that each stretch reads by itself.
+/// Writes samples as differences of rounded values in as few bytes as they need, and reads them back.
+/// Rounding: 1 cm, 1 mm/s, 0.006 deg. Writer and reader begin afresh at every State of a recording, so that
+/// each stretch reads by itself.
 class TrackCodec {
 public:
     void restart() { m_last.clear(); }
     void encode(const TrackSample& sample, Bytes& out);
-    /// Takes one sample off the front of `bytes`; false when they are damaged. `ships` and `targets` as in the exercise.
-    bool decode(std::span<const std::byte>& bytes, std::size_t ships, std::size_t targets, TrackSample& sample);
+    /// Takes one sample off the front of `bytes`; false when they are damaged. `ships` and `targets` as in
+    /// the exercise.
+    bool decode(std::span<const std::byte>& bytes, std::size_t ships, std::size_t targets,
+                TrackSample& sample);
 
 private:
     std::vector<std::int64_t> m_last;

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "core/base/Units.h"
 #include "core/assess/MissionContext.h"
+#include "core/base/Units.h"
 #include "core/vessel/Hull.h"
 
 namespace sagara::core {
@@ -39,7 +39,8 @@ TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
     }
     const bool moves = t.behaviour == TargetBehaviour::Route || t.behaviour == TargetBehaviour::Circuit;
     if (in.has("route") && t.route.size() < (moves ? 2u : 1u)) {
-        in.problem("route", "has " + std::to_string(t.route.size()) + " points", moves ? "at least two" : "at least one");
+        in.problem("route", "has " + std::to_string(t.route.size()) + " points",
+                   moves ? "at least two" : "at least one");
     }
     in.rejectUnknownKeys();
     t.outline = outlineOf(t.length_m, t.beam_m);
@@ -54,7 +55,8 @@ std::vector<TargetLayout> readTraffic(config::Reader& scenario, const LocalFrame
     for (const config::Node& node : scenario.listOr("traffic")) {
         targets.push_back(readTarget(node, frame));
         const std::string& id = targets.back().id;
-        if (!id.empty() && !seen.insert(id).second) node.problem("has the id \"" + id + "\" again", "each id once");
+        if (!id.empty() && !seen.insert(id).second)
+            node.problem("has the id \"" + id + "\" again", "each id once");
     }
     return targets;
 }

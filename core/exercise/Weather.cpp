@@ -19,13 +19,15 @@ WaveSystem mixed(const WaveSystem& a, const WaveSystem& b, double f) {
         return only;
     }
     return {mix(a.significantHeight_m, b.significantHeight_m, f), mix(a.peakPeriod_s, b.peakPeriod_s, f),
-            mix(a.gamma, b.gamma, f), mixAngle(a.wavesTo_rad, b.wavesTo_rad, f), mix(a.spreading, b.spreading, f)};
+            mix(a.gamma, b.gamma, f), mixAngle(a.wavesTo_rad, b.wavesTo_rad, f),
+            mix(a.spreading, b.spreading, f)};
 }
 
 void raise(WeatherState& state, const WaveTable& waves) {
     const Weather& now = state.now;
     state.sea.systems.clear();
-    if (const auto wind = windSea(now.wind.speed_mps, now.wind.windFrom_rad, now.exposure)) state.sea.systems.push_back(*wind);
+    if (const auto wind = windSea(now.wind.speed_mps, now.wind.windFrom_rad, now.exposure))
+        state.sea.systems.push_back(*wind);
     for (const WaveSystem& swell : now.swells) {
         if (swell.significantHeight_m > 0.0) state.sea.systems.push_back(swell);
     }
@@ -67,7 +69,8 @@ WeatherState startWeather(const Weather& base, const LevelPreset& level, const W
     return state;
 }
 
-void changeWeather(WeatherState& state, const Weather& base, const LevelPreset& level, std::int64_t tick, double ramp_s) {
+void changeWeather(WeatherState& state, const Weather& base, const LevelPreset& level, std::int64_t tick,
+                   double ramp_s) {
     state.base = base;
     state.from = state.now;
     state.to = scaled(base, level);

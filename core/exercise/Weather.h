@@ -18,7 +18,7 @@ struct Weather {
     std::array<WaveSystem, kMostSwells> swells;  ///< height 0: none
     NorthEast current;                           ///< where it sets, m/s
     double visibility_m = 20'000.0;
-    double rain = 0.0;                           ///< 0 none to 1 heavy
+    double rain = 0.0;  ///< 0 none to 1 heavy
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
@@ -58,7 +58,8 @@ Weather mixed(const Weather& from, const Weather& to, double fraction);
 /// Weather at the start, at once.
 WeatherState startWeather(const Weather& base, const LevelPreset& level, const WaveTable& waves);
 /// Begins a ramp from what is to `base` at this level.
-void changeWeather(WeatherState& state, const Weather& base, const LevelPreset& level, std::int64_t tick, double ramp_s);
+void changeWeather(WeatherState& state, const Weather& base, const LevelPreset& level, std::int64_t tick,
+                   double ramp_s);
 /// Moves a running ramp on; the sea is raised anew once a second.
 void runWeather(WeatherState& state, const WaveTable& waves, std::int64_t tick);
 

@@ -36,8 +36,8 @@ struct ScenarioEvent {
     std::vector<Given> orders;
 };
 
-/// Everything about an exercise that does not change while it runs: area, vessels, scenario, and all that is worked out
-/// from them once. Immutable after buildWorld; shared by every State of the exercise.
+/// Everything about an exercise that does not change while it runs: area, vessels, scenario, and all that is
+/// worked out from them once. Immutable after buildWorld; shared by every State of the exercise.
 struct World {
     World(Area worldArea, std::uint64_t worldSeed);
 
@@ -65,7 +65,9 @@ struct World {
     const LevelPreset& level(int number) const { return levels[static_cast<std::size_t>(number - 1)]; }
 };
 
-/// Builds the world of a scenario from the texts it names. All problems of all documents at once; nothing half built.
-Result<std::shared_ptr<const World>, config::Problems> buildWorld(const ExerciseDocuments& documents, std::uint64_t seed);
+/// Builds the world of a scenario from the texts it names. All problems of all documents at once; nothing
+/// half built.
+Result<std::shared_ptr<const World>, config::Problems> buildWorld(const ExerciseDocuments& documents,
+                                                                  std::uint64_t seed);
 
 }  // namespace sagara::core

@@ -11,8 +11,8 @@ Load crossFlowDrag(const Hull& hull, double dragCoefficient, double sway_mps, do
     for (int i = 0; i < kStrips; ++i) {
         const double x_m = (i + 0.5) * step_m - 0.5 * hull.lengthBp_m;
         const double lateral_mps = sway_mps + yawRate_radps * x_m;
-        const double force_N = -0.5 * hull.waterDensity_kgpm3 * dragCoefficient * hull.draught_m * step_m * lateral_mps *
-                               std::abs(lateral_mps);
+        const double force_N = -0.5 * hull.waterDensity_kgpm3 * dragCoefficient * hull.draught_m * step_m *
+                               lateral_mps * std::abs(lateral_mps);
         drag.sway_N += force_N;
         drag.yaw_Nm += x_m * force_N;
     }

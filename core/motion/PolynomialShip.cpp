@@ -35,7 +35,8 @@ PolynomialShip::PolynomialShip(const PolynomialModel& model, const Vessel& vesse
         k.mass_kg * k.xG_m - k.Nvdot, -k.Npdot, k.yawInertia_kgm2 - k.Nrdot;
     const Eigen::Matrix3d inverse = mass.inverse();
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) m_inverseMass[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = inverse(i, j);
+        for (int j = 0; j < 3; ++j)
+            m_inverseMass[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = inverse(i, j);
     }
 }
 
@@ -57,17 +58,19 @@ Load PolynomialShip::hullLoad(const ShipMotion& m) const {
         sum.yaw_Nm += term.yaw * product;
     }
     if (published < 1.0) {
-        sum = sum + (1.0 - published) *
-                        crossFlowDrag(m_hull, m_model.crossFlowDrag, m.sway_mps, m.yawRate_radps);
+        sum = sum +
+              (1.0 - published) * crossFlowDrag(m_hull, m_model.crossFlowDrag, m.sway_mps, m.yawRate_radps);
     }
-    sum.roll_Nm -= m_hull.waterDensity_kgpm3 * kGravity_mps2 * m_hull.metacentricHeight_m * m_hull.displacement_m3 * m.roll_rad;
+    sum.roll_Nm -= m_hull.waterDensity_kgpm3 * kGravity_mps2 * m_hull.metacentricHeight_m *
+                   m_hull.displacement_m3 * m.roll_rad;
     return sum;
 }
 
 double PolynomialShip::thrust_N(std::size_t shaft, double shaft_rps, double surge_mps) const {
     const PropulsionUnit& unit = m_propulsion.units[shaft];
     const double ratio = shaft_rps / m_model.publishedShaft_rps;
-    const double published_N = m_model.publishedThrust_N / static_cast<double>(m_propulsion.units.size()) * ratio * ratio;
+    const double published_N =
+        m_model.publishedThrust_N / static_cast<double>(m_propulsion.units.size()) * ratio * ratio;
     const double share = shaft_rps >= 0.0 ? publishedShare(surge_mps) : 0.0;
     if (share == 1.0) return published_N;
     const double open_N = (1.0 - unit.thrustDeduction) *
@@ -88,7 +91,8 @@ Load PolynomialShip::propulsionLoad(const ShipMotion& m, const Actuators& actuat
 Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators) const {
     const double u = m.surge_mps, v = m.sway_mps, density = m_hull.waterDensity_kgpm3;
     const double published = publishedShare(u);
-    const double angle_rad = std::clamp(actuators.rudder_rad, -m_steering.stallAngle_rad, m_steering.stallAngle_rad);
+    const double angle_rad =
+        std::clamp(actuators.rudder_rad, -m_steering.stallAngle_rad, m_steering.stallAngle_rad);
     constexpr double kAsternEffect = 0.5;  // flow on the trailing edge, hull in front of it
     const double own = u >= 0.0 ? u * u : -kAsternEffect * u * u;
     double force_N = 0.0;
@@ -114,7 +118,8 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
             .yaw_Nm = m_model.rudderYawLever_m * force_N};
 }
 
-PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external) const {
+PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actuators& actuators,
+                                                const Load& external) const {
     const PolynomialModel& k = m_model;
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
     const Load f = hullLoad(m) + propulsionLoad(m, actuators) + rudderLoad(m, actuators) + external;
@@ -122,7 +127,8 @@ PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actua
     const std::array<double, 3> lateral{f.sway_N - k.mass_kg * u * r, f.roll_Nm + k.mass_kg * k.zG_m * u * r,
                                         f.yaw_Nm - k.mass_kg * k.xG_m * u * r};
     const auto row = [&](std::size_t i) {
-        return m_inverseMass[i][0] * lateral[0] + m_inverseMass[i][1] * lateral[1] + m_inverseMass[i][2] * lateral[2];
+        return m_inverseMass[i][0] * lateral[0] + m_inverseMass[i][1] * lateral[1] +
+               m_inverseMass[i][2] * lateral[2];
     };
     return {surge_N / (k.mass_kg - k.Xudot), row(0), row(1), row(2)};
 }

@@ -17,18 +17,19 @@ struct PlanarAcceleration {
     double yaw_radps2 = 0.0;
 };
 
-/// A published polynomial set at work: M nu' = F as in Perez and Blanke (2002), with an extension that lets the ship
-/// start, stop, back and turn on the spot. The extension is exactly zero in the published range of speed ahead with the
-/// shafts going ahead; below it fades in over holdsFrom .. extensionBelow:
+/// A published polynomial set at work: M nu' = F as in Perez and Blanke (2002), with an extension that lets
+/// the ship start, stop, back and turn on the spot. The extension is exactly zero in the published range of
+/// speed ahead with the shafts going ahead; below it fades in over holdsFrom .. extensionBelow:
 ///   thrust      constant at a shaft speed (published)   -> KT(J) of each shaft, ahead and astern
-///   rudder      1/2 rho A CL (u^2 + v^2)    (published)  -> u|u| plus the race of the propeller before each rudder
-///   cross flow  quadratic terms in v and r (published)  -> strips along the hull
+///   rudder      1/2 rho A CL (u^2 + v^2)    (published)  -> u|u| plus the race of the propeller before each
+///   rudder cross flow  quadratic terms in v and r (published)  -> strips along the hull
 /// The yaw moment of two shafts comes from their distance from the centreline, at any speed.
 class PolynomialShip {
 public:
     PolynomialShip(const PolynomialModel& model, const Vessel& vessel);
 
-    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external) const;
+    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators,
+                                    const Load& external) const;
 
     /// 1 where the published set holds, 0 where the extension has taken over.
     double publishedShare(double surge_mps) const;

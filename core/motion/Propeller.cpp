@@ -10,12 +10,14 @@ namespace {
 
 double thrustCoefficient(const PropulsionUnit& unit, double J) {
     const double held = std::clamp(J, -0.6, 1.4);
-    return unit.thrustCoefficients[0] + held * (unit.thrustCoefficients[1] + held * unit.thrustCoefficients[2]);
+    return unit.thrustCoefficients[0] +
+           held * (unit.thrustCoefficients[1] + held * unit.thrustCoefficients[2]);
 }
 
 }  // namespace
 
-double openWaterThrust_N(const PropulsionUnit& unit, double shaft_rps, double surge_mps, double density_kgpm3) {
+double openWaterThrust_N(const PropulsionUnit& unit, double shaft_rps, double surge_mps,
+                         double density_kgpm3) {
     constexpr double kStanding_rps = 1e-3;
     if (std::abs(shaft_rps) < kStanding_rps) return 0.0;
     const double scale_N = density_kgpm3 * shaft_rps * shaft_rps * std::pow(unit.diameter_m, 4);

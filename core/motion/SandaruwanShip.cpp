@@ -29,7 +29,8 @@ PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actua
     }
     // Yaw damping r/tau fades with speed; near rest the hull's cross flow stands in for it and for sway.
     const double nearRest = std::clamp(2.0 * (1.0 - std::abs(speedRatio) / (2.0 * kSlowest)), 0.0, 1.0);
-    const Load drag = m_model.scalesWithSpeed ? nearRest * crossFlowDrag(m_hull, m_model.crossFlowDrag, v, r) : Load{};
+    const Load drag =
+        m_model.scalesWithSpeed ? nearRest * crossFlowDrag(m_hull, m_model.crossFlowDrag, v, r) : Load{};
     const double yawInertia_kgm2 = mass_kg * m_hull.pitchGyradius_m * m_hull.pitchGyradius_m;
 
     PlanarAcceleration a;
@@ -38,10 +39,11 @@ PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actua
                    (mass_kg * (1.0 + m_model.surgeAddedMassRatio));
     const double tau_s = m_model.timeConstant_s / pace;
     const double steered_radps2 = (gain_perS * actuators.rudder_rad - r) / tau_s;
-    a.yaw_radps2 = steered_radps2 + (external.yaw_Nm + drag.yaw_Nm) /
-                                        (yawInertia_kgm2 * (1.0 + m_model.yawAddedInertiaRatio));
-    a.sway_mps2 = (m_model.swayGain_m * (tau_s * steered_radps2 + r) - v) / (m_model.swayTimeConstant_s / pace) +
-                  (external.sway_N + drag.sway_N) / (mass_kg * (1.0 + m_model.swayAddedMassRatio));
+    a.yaw_radps2 = steered_radps2 +
+                   (external.yaw_Nm + drag.yaw_Nm) / (yawInertia_kgm2 * (1.0 + m_model.yawAddedInertiaRatio));
+    a.sway_mps2 =
+        (m_model.swayGain_m * (tau_s * steered_radps2 + r) - v) / (m_model.swayTimeConstant_s / pace) +
+        (external.sway_N + drag.sway_N) / (mass_kg * (1.0 + m_model.swayAddedMassRatio));
     return a;
 }
 

@@ -8,7 +8,8 @@ namespace sagara::core {
 namespace {
 
 std::variant<PolynomialShip, SandaruwanShip> makeModel(const Vessel& vessel) {
-    if (const auto* polynomial = std::get_if<PolynomialModel>(&vessel.model)) return PolynomialShip(*polynomial, vessel);
+    if (const auto* polynomial = std::get_if<PolynomialModel>(&vessel.model))
+        return PolynomialShip(*polynomial, vessel);
     return SandaruwanShip(std::get<SandaruwanModel>(vessel.model), vessel);
 }
 
@@ -21,14 +22,16 @@ WaveLoad::Coefficients ShipDynamics::coefficients(const Vessel& vessel) {
     const Seakeeping& s = vessel.seakeeping;
     const double weight_Npm3 = hull.waterDensity_kgpm3 * kGravity_mps2;
     const Waterplane plane = waterplaneOf(hull);
-    const double mass_kg = hull.mass_kg(), pitchInertia = mass_kg * hull.pitchGyradius_m * hull.pitchGyradius_m;
+    const double mass_kg = hull.mass_kg(),
+                 pitchInertia = mass_kg * hull.pitchGyradius_m * hull.pitchGyradius_m;
     WaveLoad::Coefficients c{};
     c.heaveStiffness = weight_Npm3 * hull.waterplaneArea_m2();
     c.heaveAddedMass = s.heaveAddedMassRatio * mass_kg;
     c.heaveDamping = s.heaveDampingRatio * criticalDamping(c.heaveStiffness, mass_kg + c.heaveAddedMass);
     c.pitchStiffness = weight_Npm3 * plane.breadth_m * std::pow(plane.length_m, 3) / 12.0;
     c.pitchAddedInertia = s.pitchAddedInertiaRatio * pitchInertia;
-    c.pitchDamping = s.pitchDampingRatio * criticalDamping(c.pitchStiffness, pitchInertia + c.pitchAddedInertia);
+    c.pitchDamping =
+        s.pitchDampingRatio * criticalDamping(c.pitchStiffness, pitchInertia + c.pitchAddedInertia);
     c.rollStiffness = weight_Npm3 * hull.displacement_m3 * hull.metacentricHeight_m;
     return c;
 }
@@ -37,14 +40,16 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves)
     : m_model(makeModel(vessel)),
       m_modelHasRoll(std::holds_alternative<PolynomialShip>(m_model)),
       m_mass_kg(vessel.hull.mass_kg()),
-      m_swayMass_kg(m_mass_kg + std::visit([](const auto& model) { return model.swayAddedMass_kg(); }, m_model)),
+      m_swayMass_kg(m_mass_kg +
+                    std::visit([](const auto& model) { return model.swayAddedMass_kg(); }, m_model)),
       m_pitchInertia_kgm2(m_mass_kg * vessel.hull.pitchGyradius_m * vessel.hull.pitchGyradius_m),
       m_rollInertia_kgm2(m_mass_kg * vessel.hull.rollGyradius_m * vessel.hull.rollGyradius_m *
                          (1.0 + vessel.seakeeping.rollAddedInertiaRatio)),
       m_rollDamping_Nms(0.0),
       m_c(coefficients(vessel)),
       m_waveLoad(vessel, m_c, waves) {
-    m_rollDamping_Nms = vessel.seakeeping.rollDampingRatio * criticalDamping(m_c.rollStiffness, m_rollInertia_kgm2);
+    m_rollDamping_Nms =
+        vessel.seakeeping.rollDampingRatio * criticalDamping(m_c.rollStiffness, m_rollInertia_kgm2);
 }
 
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
@@ -52,7 +57,8 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     const Load load = external + waves.load;
     const PlanarAcceleration a =
         std::visit([&](const auto& model) { return model.acceleration(m, actuators, load); }, m_model);
-    const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad), lateral_mps = m.sway_mps * std::cos(m.roll_rad);
+    const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
+                 lateral_mps = m.sway_mps * std::cos(m.roll_rad);
     ShipMotion rate;
     rate.north_m = m.surge_mps * c - lateral_mps * s + current.north_m;
     rate.east_m = m.surge_mps * s + lateral_mps * c + current.east_m;
@@ -63,14 +69,16 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     rate.surge_mps = a.surge_mps2 + waves.surge_mps2;
     rate.sway_mps = a.sway_mps2 + waves.sway_mps2;
     rate.yawRate_radps = a.yaw_radps2 + waves.yaw_radps2;
-    rate.rollRate_radps = m_modelHasRoll ? a.roll_radps2
-                                         : (load.roll_Nm - m_c.rollStiffness * m.roll_rad -
-                                            m_rollDamping_Nms * m.rollRate_radps) /
-                                               m_rollInertia_kgm2;
+    rate.rollRate_radps =
+        m_modelHasRoll
+            ? a.roll_radps2
+            : (load.roll_Nm - m_c.rollStiffness * m.roll_rad - m_rollDamping_Nms * m.rollRate_radps) /
+                  m_rollInertia_kgm2;
     rate.heaveRate_mps = (load.heave_N - m_c.heaveStiffness * m.down_m - m_c.heaveDamping * m.heaveRate_mps) /
                          (m_mass_kg + m_c.heaveAddedMass);
-    rate.pitchRate_radps = (load.pitch_Nm - m_c.pitchStiffness * m.pitch_rad - m_c.pitchDamping * m.pitchRate_radps) /
-                           (m_pitchInertia_kgm2 + m_c.pitchAddedInertia);
+    rate.pitchRate_radps =
+        (load.pitch_Nm - m_c.pitchStiffness * m.pitch_rad - m_c.pitchDamping * m.pitchRate_radps) /
+        (m_pitchInertia_kgm2 + m_c.pitchAddedInertia);
     return rate;
 }
 

@@ -7,17 +7,17 @@
 
 namespace sagara::core {
 
-/// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document. Immutable.
-/// Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and roll where it has not)
-/// are springs on the waterplane with added mass and damping.
+/// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
+/// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
+/// roll where it has not) are springs on the waterplane with added mass and damping.
 class ShipDynamics {
 public:
     ShipDynamics(const Vessel& vessel, const WaveTable& waves);
 
-    /// Rate of every field of the motion. `external`: all loads but those of hull, rudder, propellers and waves. `current`:
-    /// of the water, in N, m/s.
-    ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external, const WaveEffect& waves,
-                          NorthEast current) const;
+    /// Rate of every field of the motion. `external`: all loads but those of hull, rudder, propellers and
+    /// waves. `current`: of the water, in N, m/s.
+    ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                          const WaveEffect& waves, NorthEast current) const;
 
     const WaveLoad& waveLoad() const { return m_waveLoad; }
     /// Mass that a blow from the side has to stop: ship and added mass in sway.

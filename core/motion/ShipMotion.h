@@ -4,8 +4,8 @@
 
 namespace sagara::core {
 
-/// Where an own ship is and how she moves: six degrees of freedom of Bo. Velocities are through the water, in B.
-/// The same type holds the rates of all fields, so that an integrator needs only + and *.
+/// Where an own ship is and how she moves: six degrees of freedom of Bo. Velocities are through the water, in
+/// B. The same type holds the rates of all fields, so that an integrator needs only + and *.
 struct ShipMotion {
     double north_m = 0.0;
     double east_m = 0.0;
@@ -24,8 +24,9 @@ struct ShipMotion {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.north_m, self.east_m, self.down_m, self.roll_rad, self.pitch_rad, self.heading_rad, self.surge_mps,
-           self.sway_mps, self.heaveRate_mps, self.rollRate_radps, self.pitchRate_radps, self.yawRate_radps);
+        ar(self.north_m, self.east_m, self.down_m, self.roll_rad, self.pitch_rad, self.heading_rad,
+           self.surge_mps, self.sway_mps, self.heaveRate_mps, self.rollRate_radps, self.pitchRate_radps,
+           self.yawRate_radps);
     }
 };
 
@@ -44,10 +45,9 @@ inline ShipMotion operator+(const ShipMotion& a, const ShipMotion& b) {
             a.yawRate_radps + b.yawRate_radps};
 }
 inline ShipMotion operator*(double s, const ShipMotion& a) {
-    return {s * a.north_m,        s * a.east_m,           s * a.down_m,    s * a.roll_rad,
-            s * a.pitch_rad,      s * a.heading_rad,      s * a.surge_mps, s * a.sway_mps,
-            s * a.heaveRate_mps,  s * a.rollRate_radps,   s * a.pitchRate_radps,
-            s * a.yawRate_radps};
+    return {s * a.north_m,       s * a.east_m,         s * a.down_m,          s * a.roll_rad,
+            s * a.pitch_rad,     s * a.heading_rad,    s * a.surge_mps,       s * a.sway_mps,
+            s * a.heaveRate_mps, s * a.rollRate_radps, s * a.pitchRate_radps, s * a.yawRate_radps};
 }
 
 /// Velocity through the water of a point of the ship, in B.

@@ -11,7 +11,8 @@ Waterplane waterplaneOf(const Hull& hull) {
     return {length_m, hull.waterplaneArea_m2() / length_m};
 }
 
-WaveIntegrals waveIntegrals(const Waterplane& waterplane, double kx_radpm, double ky_radpm, double phase_rad) {
+WaveIntegrals waveIntegrals(const Waterplane& waterplane, double kx_radpm, double ky_radpm,
+                            double phase_rad) {
     const double l = waterplane.length_m, w = waterplane.breadth_m;
     const ShapeFactors x = shapeFactors(0.5 * kx_radpm * l), y = shapeFactors(0.5 * ky_radpm * w);
     const double s = std::sin(phase_rad), c = std::cos(phase_rad);

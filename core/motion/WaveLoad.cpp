@@ -17,19 +17,21 @@ WaveLoad::WaveLoad(const Vessel& vessel, const Coefficients& coefficients, const
     : m_waterplane(waterplaneOf(vessel.hull)), m_c(coefficients) {
     const double meanDraught_m = vessel.hull.displacement_m3 / vessel.hull.waterplaneArea_m2();
     for (const WaveComponent& c : table.components()) {
-        m_smith.push_back(smithFactor(std::hypot(c.kNorth_radpm, c.kEast_radpm), meanDraught_m, table.depth_m()));
+        m_smith.push_back(
+            smithFactor(std::hypot(c.kNorth_radpm, c.kEast_radpm), meanDraught_m, table.depth_m()));
     }
 }
 
-WaveEffect WaveLoad::at(const SeaState& sea, const ActiveWaves& waves, NorthEast position,
-                  double heading_rad, double shelter) const {
+WaveEffect WaveLoad::at(const SeaState& sea, const ActiveWaves& waves, NorthEast position, double heading_rad,
+                        double shelter) const {
     const double c = std::cos(heading_rad), s = std::sin(heading_rad), g = kGravity_mps2;
     const double halfLength_m = 0.5 * m_waterplane.length_m, halfBreadth_m = 0.5 * m_waterplane.breadth_m;
     alignas(16) double amplitude_m[kMostActiveComponents];
-    for (std::size_t i = 0; i < waves.count; ++i) amplitude_m[i] = waves.amplitude_m[i] * m_smith[sea.active[i]];
+    for (std::size_t i = 0; i < waves.count; ++i)
+        amplitude_m[i] = waves.amplitude_m[i] * m_smith[sea.active[i]];
 
-    // Blocks of components: the first loop has neither branches nor sums, so the compiler vectorises it; the second
-    // adds in the order of the components, so the result is the same bits everywhere.
+    // Blocks of components: the first loop has neither branches nor sums, so the compiler vectorises it; the
+    // second adds in the order of the components, so the result is the same bits everywhere.
     constexpr std::size_t kBlock = 64;
     alignas(16) double surge[kBlock], sway[kBlock], heave[kBlock], roll[kBlock], pitch[kBlock], yaw[kBlock];
     Load sum;
@@ -48,7 +50,8 @@ WaveEffect WaveLoad::at(const SeaState& sea, const ActiveWaves& waves, NorthEast
             const double mean = height[i] * x.mean * y.mean, slope = height[i] * kx * x.slope * y.mean;
             surge[i] = mean * kx * wave.sin;
             sway[i] = mean * ky * wave.sin;
-            // The water's height is cos, its velocity omega sin, its acceleration -omega^2 cos; slopes likewise.
+            // The water's height is cos, its velocity omega sin, its acceleration -omega^2 cos; slopes
+            // likewise.
             heave[i] = mean * ((m_c.heaveStiffness - omega * omega * m_c.heaveAddedMass) * wave.cos +
                                omega * m_c.heaveDamping * wave.sin);
             roll[i] = height[i] * ky * x.mean * y.slope * wave.sin;
@@ -61,7 +64,9 @@ WaveEffect WaveLoad::at(const SeaState& sea, const ActiveWaves& waves, NorthEast
         }
     }
     // Slope of the surface times g is the acceleration of the water.
-    return {.load = shelter * Load{.heave_N = sum.heave_N, .roll_Nm = m_c.rollStiffness * sum.roll_Nm, .pitch_Nm = sum.pitch_Nm},
+    return {.load = shelter * Load{.heave_N = sum.heave_N,
+                                   .roll_Nm = m_c.rollStiffness * sum.roll_Nm,
+                                   .pitch_Nm = sum.pitch_Nm},
             .surge_mps2 = shelter * g * sum.surge_N,
             .sway_mps2 = shelter * g * sum.sway_N,
             .yaw_radps2 = shelter * g * sum.yaw_Nm};

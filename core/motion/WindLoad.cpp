@@ -9,7 +9,8 @@ namespace sagara::core {
 WindCoefficients windCoefficients(const Windage& windage, double lengthOverall_m, double fromBow_rad) {
     const BlendermannType& type = windage.type;
     const double g = std::abs(fromBow_rad), side = fromBow_rad < 0.0 ? -1.0 : 1.0;
-    const double longitudinal = std::abs(g) <= kPi / 2 ? type.longitudinalDragBow : type.longitudinalDragStern;
+    const double longitudinal =
+        std::abs(g) <= kPi / 2 ? type.longitudinalDragBow : type.longitudinalDragStern;
     const double lateralAreaRatio = windage.frontalArea_m2 / windage.lateralArea_m2;
     const double ratio = longitudinal * lateralAreaRatio / type.transverseDrag;
     const double sin2g = std::sin(2.0 * g);
@@ -26,7 +27,8 @@ Load apparentWindLoad(const Windage& windage, double lengthOverall_m, BodyPoint 
     const double speed2 = air_mps.x_m * air_mps.x_m + air_mps.y_m * air_mps.y_m;
     if (speed2 < 1e-12) return {};
     // air that moves to starboard comes from port
-    const WindCoefficients c = windCoefficients(windage, lengthOverall_m, std::atan2(air_mps.y_m, -air_mps.x_m));
+    const WindCoefficients c =
+        windCoefficients(windage, lengthOverall_m, std::atan2(air_mps.y_m, -air_mps.x_m));
     const double pressure_Pa = 0.5 * kAirDensity_kgpm3 * speed2;
     const double lateral_N = pressure_Pa * windage.lateralArea_m2;
     return {.surge_N = pressure_Pa * windage.frontalArea_m2 * c.CX,
@@ -41,7 +43,8 @@ Load windLoad(const Windage& windage, double lengthOverall_m, const WindVelocity
     const BodyPoint still{-ground_mps.x_m, -ground_mps.y_m};
     const BodyPoint air{wind.speed_mps * std::cos(toRelative_rad) + still.x_m,
                         wind.speed_mps * std::sin(toRelative_rad) + still.y_m};
-    return apparentWindLoad(windage, lengthOverall_m, air) + -1.0 * apparentWindLoad(windage, lengthOverall_m, still);
+    return apparentWindLoad(windage, lengthOverall_m, air) +
+           -1.0 * apparentWindLoad(windage, lengthOverall_m, still);
 }
 
 }  // namespace sagara::core

@@ -64,9 +64,9 @@ std::optional<WaveSystem> windSea(double speed_mps, double windFrom_rad, Exposur
     const double fraction = std::min((speed_mps - from_mps) / (to_mps - from_mps), 1.0);
     const Row &a = row(low), &b = row(low + 1);
     const bool ocean = exposure == Exposure::Ocean;
-    const double meanPeriod_s = low == 0 ? (ocean ? b.oceanT1_s : b.inshoreT1_s)
-                                         : mix(ocean ? a.oceanT1_s : a.inshoreT1_s, ocean ? b.oceanT1_s : b.inshoreT1_s,
-                                               fraction);
+    const double meanPeriod_s =
+        low == 0 ? (ocean ? b.oceanT1_s : b.inshoreT1_s)
+                 : mix(ocean ? a.oceanT1_s : a.inshoreT1_s, ocean ? b.oceanT1_s : b.inshoreT1_s, fraction);
     WaveSystem sea;
     sea.significantHeight_m =
         mix(ocean ? a.oceanHs_m : a.inshoreHs_m, ocean ? b.oceanHs_m : b.inshoreHs_m, fraction);

@@ -10,7 +10,8 @@ double angularFrequency_radps(double waveNumber_radpm, double depth_m, double gr
 
 double groupSpeed_mps(double waveNumber_radpm, double depth_m, double gravity_mps2) {
     const double kh = waveNumber_radpm * depth_m;
-    const double phaseSpeed_mps = angularFrequency_radps(waveNumber_radpm, depth_m, gravity_mps2) / waveNumber_radpm;
+    const double phaseSpeed_mps =
+        angularFrequency_radps(waveNumber_radpm, depth_m, gravity_mps2) / waveNumber_radpm;
     const double n = kh > 20.0 ? 0.5 : 0.5 + kh / std::sinh(2.0 * kh);
     return n * phaseSpeed_mps;
 }

@@ -42,7 +42,8 @@ void activeWaves(const WaveTable& table, const SeaState& sea, SimTime time, Acti
 double longElevation_m(const ActiveWaves& waves, NorthEast p) {
     double sum_m = 0.0;
     for (std::size_t i = 0; i < waves.count; ++i) {
-        const double angle = waves.kNorth_radpm[i] * p.north_m + waves.kEast_radpm[i] * p.east_m + waves.phase_rad[i];
+        const double angle =
+            waves.kNorth_radpm[i] * p.north_m + waves.kEast_radpm[i] * p.east_m + waves.phase_rad[i];
         sum_m += waves.amplitude_m[i] * sinCos(angle).cos;
     }
     return sum_m;
@@ -55,7 +56,8 @@ SeaSurface::SeaSurface(const WaveTable& table, const SeaState& sea) {
     std::vector<double> energy_m2(table.shortComponents().size(), 0.0);
     for (const WaveSystem& system : sea.systems) table.addShortEnergy(system, energy_m2);
     for (std::size_t i = 0; i < energy_m2.size(); ++i) {
-        if (energy_m2[i] > 0.0) m_waves.push_back({table.shortComponents()[i], std::sqrt(2.0 * energy_m2[i])});
+        if (energy_m2[i] > 0.0)
+            m_waves.push_back({table.shortComponents()[i], std::sqrt(2.0 * energy_m2[i])});
     }
 }
 
@@ -63,8 +65,8 @@ double SeaSurface::elevation_m(NorthEast p, SimTime time) const {
     double sum_m = 0.0;
     for (const Wave& w : m_waves) {
         const WaveComponent& c = w.component;
-        const double angle =
-            c.kNorth_radpm * p.north_m + c.kEast_radpm * p.east_m - c.omega_radps * time.seconds() + c.phase_rad;
+        const double angle = c.kNorth_radpm * p.north_m + c.kEast_radpm * p.east_m -
+                             c.omega_radps * time.seconds() + c.phase_rad;
         sum_m += w.amplitude_m * sinCos(angle).cos;
     }
     return sum_m;

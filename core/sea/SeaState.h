@@ -9,8 +9,8 @@
 
 namespace sagara::core {
 
-/// The sea of one moment: which systems run and, worked out from them, the strongest components. Part of State; made
-/// anew by `raiseSea` when the weather changes, never patched.
+/// The sea of one moment: which systems run and, worked out from them, the strongest components. Part of
+/// State; made anew by `raiseSea` when the weather changes, never patched.
 struct SeaState {
     std::vector<WaveSystem> systems;
     std::vector<std::uint16_t> active;  ///< indices into WaveTable::components(), strongest first
@@ -22,15 +22,17 @@ struct SeaState {
     }
 };
 
-/// Share of the long bands' energy the active components keep; the design asks for 95 % of what a ship can feel.
+/// Share of the long bands' energy the active components keep; the design asks for 95 % of what a ship can
+/// feel.
 inline constexpr double kActiveEnergyShare = 0.98;
 inline constexpr std::size_t kMostActiveComponents = 320;
 
-/// Fills `sea.active` and `sea.amplitude_m` from `sea.systems`. Amplitudes are raised so that the kept components carry
-/// the energy of the dropped ones.
+/// Fills `sea.active` and `sea.amplitude_m` from `sea.systems`. Amplitudes are raised so that the kept
+/// components carry the energy of the dropped ones.
 void raiseSea(const WaveTable& table, SeaState& sea);
 
-/// The active components laid out for the sums of one tick, phases advanced to its time. Fixed size, on the stack.
+/// The active components laid out for the sums of one tick, phases advanced to its time. Fixed size, on the
+/// stack.
 struct ActiveWaves {
     std::size_t count = 0;
     alignas(16) double kNorth_radpm[kMostActiveComponents];
@@ -44,7 +46,8 @@ void activeWaves(const WaveTable& table, const SeaState& sea, SimTime time, Acti
 /// Height of the long waves above still water, up positive, shelter not applied.
 double longElevation_m(const ActiveWaves& waves, NorthEast p);
 
-/// Everything that moves, with amplitudes: the surface as it is drawn. Made for a probe or a picture, not in a tick.
+/// Everything that moves, with amplitudes: the surface as it is drawn. Made for a probe or a picture, not in
+/// a tick.
 class SeaSurface {
 public:
     SeaSurface(const WaveTable& table, const SeaState& sea);

@@ -10,7 +10,8 @@ double bretschneider_m2s(double omega_radps, double significantHeight_m, double 
     if (omega_radps <= 0.0) return 0.0;
     const double ratio = kTwoPi / peakPeriod_s / omega_radps;
     const double ratio4 = ratio * ratio * ratio * ratio;
-    return 5.0 / 16.0 * significantHeight_m * significantHeight_m * ratio4 / omega_radps * std::exp(-1.25 * ratio4);
+    return 5.0 / 16.0 * significantHeight_m * significantHeight_m * ratio4 / omega_radps *
+           std::exp(-1.25 * ratio4);
 }
 
 double jonswap_m2s(double omega_radps, double significantHeight_m, double peakPeriod_s, double gamma) {

@@ -8,9 +8,9 @@ namespace sagara::core {
 struct WaveSystem {
     double significantHeight_m = 0.0;
     double peakPeriod_s = 8.0;
-    double gamma = 1.0;          ///< JONSWAP peakedness; 1 is Pierson-Moskowitz (Bretschneider) form
-    double wavesTo_rad = 0.0;    ///< mean direction of travel
-    double spreading = 4.0;      ///< s of cos^2s(theta/2): about 4 for a wind sea, 20 to 70 for swell
+    double gamma = 1.0;        ///< JONSWAP peakedness; 1 is Pierson-Moskowitz (Bretschneider) form
+    double wavesTo_rad = 0.0;  ///< mean direction of travel
+    double spreading = 4.0;    ///< s of cos^2s(theta/2): about 4 for a wind sea, 20 to 70 for swell
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
@@ -28,7 +28,8 @@ double jonswap_m2s(double omega_radps, double significantHeight_m, double peakPe
 /// D(theta) per radian, integral over a turn = 1. theta is measured from the mean direction.
 double spreading_perRad(double theta_rad, double s);
 
-/// Peak period over mean period T1 = 2 pi m0 / m1: interpolated between integrated spectra, gamma 1 to 5, within 1 %.
+/// Peak period over mean period T1 = 2 pi m0 / m1: interpolated between integrated spectra, gamma 1 to 5,
+/// within 1 %.
 double peakOverMeanPeriod(double gamma);
 
 }  // namespace sagara::core

@@ -10,7 +10,8 @@
 namespace sagara::core {
 namespace {
 
-/// Mean longitudes in degrees: hour angle of the mean sun, moon, sun, lunar perigee, lunar node, solar perigee.
+/// Mean longitudes in degrees: hour angle of the mean sun, moon, sun, lunar perigee, lunar node, solar
+/// perigee.
 struct Astronomy {
     double T, s, h, p, N, p1;
 };
@@ -64,7 +65,8 @@ constexpr std::array<Argument, 42> kArguments{{
 }};
 
 // Mean motions in degrees per hour: Schureman (1958), table 1.
-constexpr double kRateT = 15.0, kRateS = 0.54901653, kRateH = 0.04106864, kRateP = 0.00464183, kRateP1 = 0.00000196;
+constexpr double kRateT = 15.0, kRateS = 0.54901653, kRateH = 0.04106864, kRateP = 0.00464183,
+                 kRateP1 = 0.00000196;
 
 struct NodeFactor {
     double f;
@@ -75,15 +77,24 @@ struct NodeFactor {
 NodeFactor nodeFactor(Node node, double N) {
     const double c1 = std::cos(N), c2 = std::cos(2 * N), s1 = std::sin(N), s2 = std::sin(2 * N);
     switch (node) {
-        case Node::None: return {1.0, 0.0};
-        case Node::M2: return {1.000 - 0.037 * c1, -2.1 * s1};
-        case Node::K2: return {1.024 + 0.286 * c1 + 0.008 * c2, -17.7 * s1 + 0.7 * s2};
-        case Node::O1: return {1.009 + 0.187 * c1 - 0.015 * c2, 10.8 * s1 - 1.3 * s2};
-        case Node::K1: return {1.006 + 0.115 * c1 - 0.009 * c2, -8.9 * s1 + 0.7 * s2};
-        case Node::J1: return {1.013 + 0.168 * c1, -12.9 * s1 + 1.3 * s2};
-        case Node::OO1: return {1.105 + 0.650 * c1, -36.7 * s1 + 4.0 * s2};
-        case Node::Mf: return {1.043 + 0.414 * c1, -23.7 * s1 + 2.7 * s2};
-        case Node::Mm: return {1.000 - 0.130 * c1, 0.0};
+        case Node::None:
+            return {1.0, 0.0};
+        case Node::M2:
+            return {1.000 - 0.037 * c1, -2.1 * s1};
+        case Node::K2:
+            return {1.024 + 0.286 * c1 + 0.008 * c2, -17.7 * s1 + 0.7 * s2};
+        case Node::O1:
+            return {1.009 + 0.187 * c1 - 0.015 * c2, 10.8 * s1 - 1.3 * s2};
+        case Node::K1:
+            return {1.006 + 0.115 * c1 - 0.009 * c2, -8.9 * s1 + 0.7 * s2};
+        case Node::J1:
+            return {1.013 + 0.168 * c1, -12.9 * s1 + 1.3 * s2};
+        case Node::OO1:
+            return {1.105 + 0.650 * c1, -36.7 * s1 + 4.0 * s2};
+        case Node::Mf:
+            return {1.043 + 0.414 * c1, -23.7 * s1 + 2.7 * s2};
+        case Node::Mm:
+            return {1.000 - 0.130 * c1, 0.0};
     }
     return {1.0, 0.0};
 }
@@ -105,7 +116,8 @@ std::string tidalConstituentNames() {
     return all;
 }
 
-TidePrediction::TidePrediction(double meanAboveDatum_m, const std::vector<TidalConstituent>& constituents, Utc start)
+TidePrediction::TidePrediction(double meanAboveDatum_m, const std::vector<TidalConstituent>& constituents,
+                               Utc start)
     : m_mean_m(meanAboveDatum_m) {
     const Astronomy sky = astronomy(start);
     for (const TidalConstituent& constituent : constituents) {

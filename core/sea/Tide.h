@@ -22,9 +22,9 @@ bool isTidalConstituent(std::string_view name);
 /// Names known, for messages.
 std::string tidalConstituentNames();
 
-/// Height of tide during one exercise: h(t) = z0 + sum f H cos(V + u - g), Schureman (1958), Special Publication 98.
-/// Astronomical longitudes: Meeus (1998), chapters 22, 25 and 47; node factors: Pugh (1987), table 4:3. f and u are
-/// those of the start: they change by 0.01 % a day.
+/// Height of tide during one exercise: h(t) = z0 + sum f H cos(V + u - g), Schureman (1958), Special
+/// Publication 98. Astronomical longitudes: Meeus (1998), chapters 22, 25 and 47; node factors: Pugh (1987),
+/// table 4:3. f and u are those of the start: they change by 0.01 % a day.
 class TidePrediction {
 public:
     TidePrediction() = default;  ///< no tide

@@ -20,7 +20,8 @@ double WaveBand::step_radpm() const { return kTwoPi / tile_m; }
 WaveTable::WaveTable(std::uint64_t seed, double depth_m) : m_depth_m(depth_m) {
     for (std::uint8_t band = 0; band < kWaveBands.size(); ++band) {
         const WaveBand& b = kWaveBands[band];
-        const int rings = static_cast<int>(std::ceil(std::log(b.high_radpm / b.low_radpm) / std::log(kRingRatio)));
+        const int rings =
+            static_cast<int>(std::ceil(std::log(b.high_radpm / b.low_radpm) / std::log(kRingRatio)));
         const double ratio = std::pow(b.high_radpm / b.low_radpm, 1.0 / rings);
         for (int i = 0; i < rings; ++i) {
             m_rings.push_back({b.low_radpm * std::pow(ratio, i), b.low_radpm * std::pow(ratio, i + 1), band});
@@ -29,7 +30,8 @@ WaveTable::WaveTable(std::uint64_t seed, double depth_m) : m_depth_m(depth_m) {
     }
     Random random(seed ^ 0x7761766573000000ULL);
     for (std::size_t ring = 0; ring < m_longRings; ++ring) {
-        for (std::size_t direction = 0; direction < kDirections; ++direction) addLongCell(ring, direction, random);
+        for (std::size_t direction = 0; direction < kDirections; ++direction)
+            addLongCell(ring, direction, random);
     }
     const WaveBand& fine = kWaveBands[2];
     const int half = kLatticeSize / 2;
@@ -50,7 +52,8 @@ WaveTable::WaveTable(std::uint64_t seed, double depth_m) : m_depth_m(depth_m) {
 WaveTable WaveTable::regular(double omega_radps, double wavesTo_rad, double depth_m) {
     WaveTable table(depth_m);
     const double k = waveNumber_radpm(omega_radps, depth_m, kGravity_mps2);
-    table.m_long.push_back({k * std::cos(wavesTo_rad), k * std::sin(wavesTo_rad), omega_radps, 0.0, std::uint8_t{0}});
+    table.m_long.push_back(
+        {k * std::cos(wavesTo_rad), k * std::sin(wavesTo_rad), omega_radps, 0.0, std::uint8_t{0}});
     return table;
 }
 
@@ -66,12 +69,13 @@ void WaveTable::addLongCell(std::size_t ring, std::size_t direction, Random& ran
     const double kEast = std::round(k * std::sin(theta_rad) / step_radpm) * step_radpm;
     // Small cells share a lattice point with a neighbour: one component then carries the energy of both.
     std::size_t index = 0;
-    while (index < m_long.size() &&
-           !(m_long[index].band == r.band && m_long[index].kNorth_radpm == kNorth && m_long[index].kEast_radpm == kEast)) {
+    while (index < m_long.size() && !(m_long[index].band == r.band && m_long[index].kNorth_radpm == kNorth &&
+                                      m_long[index].kEast_radpm == kEast)) {
         ++index;
     }
     if (index == m_long.size()) {
-        const double omega_radps = angularFrequency_radps(std::hypot(kNorth, kEast), m_depth_m, kGravity_mps2);
+        const double omega_radps =
+            angularFrequency_radps(std::hypot(kNorth, kEast), m_depth_m, kGravity_mps2);
         m_long.push_back({kNorth, kEast, omega_radps, phase_rad, r.band});
     }
     m_cellComponent.push_back(static_cast<std::uint16_t>(index));
@@ -82,7 +86,8 @@ std::vector<double> WaveTable::ringShares(const WaveSystem& system) const {
     double total = 0.0;
     for (const Ring& ring : m_rings) {
         const double from = angularFrequency_radps(ring.low_radpm, m_depth_m, kGravity_mps2);
-        const double step = (angularFrequency_radps(ring.high_radpm, m_depth_m, kGravity_mps2) - from) / kSamplesPerRing;
+        const double step =
+            (angularFrequency_radps(ring.high_radpm, m_depth_m, kGravity_mps2) - from) / kSamplesPerRing;
         double energy = 0.0;
         for (int i = 0; i < kSamplesPerRing; ++i) {
             energy += step * jonswap_m2s(from + (i + 0.5) * step, 1.0, system.peakPeriod_s, system.gamma);
@@ -100,13 +105,15 @@ void WaveTable::addEnergy(const WaveSystem& system, std::vector<double>& energy_
     std::array<double, kDirections> direction{};
     double sum = 0.0;
     for (std::size_t j = 0; j < kDirections; ++j) {
-        direction[j] = spreading_perRad(static_cast<double>(j) * kTwoPi / kDirections - system.wavesTo_rad, system.spreading);
+        direction[j] = spreading_perRad(static_cast<double>(j) * kTwoPi / kDirections - system.wavesTo_rad,
+                                        system.spreading);
         sum += direction[j];
     }
     const double total_m2 = system.significantHeight_m * system.significantHeight_m / 16.0;
     const std::vector<double> ring = ringShares(system);
     for (std::size_t cell = 0; cell < m_cellComponent.size(); ++cell) {
-        energy_m2[m_cellComponent[cell]] += total_m2 * ring[cell / kDirections] * direction[cell % kDirections] / sum;
+        energy_m2[m_cellComponent[cell]] +=
+            total_m2 * ring[cell / kDirections] * direction[cell % kDirections] / sum;
     }
 }
 

@@ -18,8 +18,9 @@ struct WaveBand {
     double step_radpm() const;
 };
 
-/// The three nested lattices of the one sea (design.md, section 5): 128 x 128 points each, disjoint bands. The two
-/// long bands reach from waves of 800 m to 6.3 m, which is what ships feel; the short one gives the picture its skin.
+/// The three nested lattices of the one sea (design.md, section 5): 128 x 128 points each, disjoint bands.
+/// The two long bands reach from waves of 800 m to 6.3 m, which is what ships feel; the short one gives the
+/// picture its skin.
 inline constexpr std::size_t kLatticeSize = 128;
 inline constexpr std::array<WaveBand, 3> kWaveBands{{
     {1200.0, 0.00785, 0.16},
@@ -27,8 +28,8 @@ inline constexpr std::array<WaveBand, 3> kWaveBands{{
     {25.0, 1.0, 15.0},
 }};
 
-/// One sinusoid: a cos(k . x - omega t + phase), x in frame N. Its wave number is a point of its band's lattice, so the
-/// renderer can draw it with one inverse FFT and a ship can feel it in closed form.
+/// One sinusoid: a cos(k . x - omega t + phase), x in frame N. Its wave number is a point of its band's
+/// lattice, so the renderer can draw it with one inverse FFT and a ship can feel it in closed form.
 struct WaveComponent {
     double kNorth_radpm = 0.0;
     double kEast_radpm = 0.0;
@@ -37,16 +38,16 @@ struct WaveComponent {
     std::uint8_t band = 0;
 };
 
-/// Wave numbers, frequencies and phases of an exercise: all of the sea that weather does not change. In the long bands
-/// the wave-number plane is cut into polar cells (31 rings, 36 directions); the energy of a cell stands on one lattice
-/// point near its middle, and the other points are still. So what is drawn is what is felt, not a sample of it. In the
-/// short band every lattice point moves.
+/// Wave numbers, frequencies and phases of an exercise: all of the sea that weather does not change. In the
+/// long bands the wave-number plane is cut into polar cells (31 rings, 36 directions); the energy of a cell
+/// stands on one lattice point near its middle, and the other points are still. So what is drawn is what is
+/// felt, not a sample of it. In the short band every lattice point moves.
 class WaveTable {
 public:
     /// depth_m: representative depth of the area, for the dispersion of all waves.
     WaveTable(std::uint64_t seed, double depth_m);
-    /// A table of one component, which need not be a lattice point: a regular wave for tests and response curves. It has
-    /// no cells, so addEnergy adds nothing: set the amplitude in SeaState.
+    /// A table of one component, which need not be a lattice point: a regular wave for tests and response
+    /// curves. It has no cells, so addEnergy adds nothing: set the amplitude in SeaState.
     static WaveTable regular(double omega_radps, double wavesTo_rad, double depth_m);
 
     const std::vector<WaveComponent>& components() const { return m_long; }
@@ -54,8 +55,9 @@ public:
     const std::vector<WaveComponent>& shortComponents() const { return m_short; }
     double depth_m() const { return m_depth_m; }
 
-    /// Energy (half the squared amplitude, m^2) of every long component in a sea of these systems, added to `energy_m2`,
-    /// which has components().size() entries. The energies of long and short components together are Hs^2 / 16.
+    /// Energy (half the squared amplitude, m^2) of every long component in a sea of these systems, added to
+    /// `energy_m2`, which has components().size() entries. The energies of long and short components together
+    /// are Hs^2 / 16.
     void addEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const;
     /// The same for the short band.
     void addShortEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const;

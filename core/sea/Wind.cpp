@@ -26,7 +26,8 @@ GustTable::GustTable(std::uint64_t seed) : m_harmonics() {
     const double first_Hz = 1.0 / 300.0, last_Hz = 1.0 / 4.0;
     double variance = 0.0;
     for (std::size_t i = 0; i < kHarmonics; ++i) {
-        const double place = (static_cast<double>(i) + random.uniform()) / kHarmonics;  // jitter: no repetition
+        const double place =
+            (static_cast<double>(i) + random.uniform()) / kHarmonics;  // jitter: no repetition
         const double frequency_Hz = first_Hz * std::pow(last_Hz / first_Hz, place);
         const double energy = davenport(frequency_Hz);  // equal steps of ln f: energy per step is f S(f)
         m_harmonics[i] = {kTwoPi * frequency_Hz, std::sqrt(2.0 * energy), kTwoPi * random.uniform(),

@@ -59,7 +59,8 @@ GroundTackle readGroundTackle(config::Reader& in) {
         tackle.anchors.push_back(a);
     }
     if (tackle.anchors.size() > kMostAnchors) {
-        in.problem("anchors", "has " + std::to_string(tackle.anchors.size()), "at most " + std::to_string(kMostAnchors));
+        in.problem("anchors", "has " + std::to_string(tackle.anchors.size()),
+                   "at most " + std::to_string(kMostAnchors));
     }
     tackle.provenance = readProvenance(in);
     in.rejectUnknownKeys();

@@ -21,7 +21,8 @@ void checkForm(config::Reader& in, const Hull& hull) {
     if (block < 0.2 || block > 1.0) {
         in.problem("displacement_m3",
                    "is " + config::formatNumber(hull.displacement_m3) + ", a block coefficient of " +
-                       config::formatNumber(std::round(block * 1000.0) / 1000.0) + " with the other particulars",
+                       config::formatNumber(std::round(block * 1000.0) / 1000.0) +
+                       " with the other particulars",
                    "0.2 to 1");
     }
     if (hull.lengthBp_m > hull.lengthOverall_m) {
@@ -36,11 +37,12 @@ std::vector<BodyPoint> outlineOf(double lengthOverall_m, double beam_m) {
     const double bow = lengthOverall_m / 2.0, half = beam_m / 2.0;
     const double shoulder = bow - 0.3 * lengthOverall_m;
     const double entry = bow - 0.12 * lengthOverall_m;  // where the bow has 60 % of its breadth
-    const std::vector<BodyPoint> corners{{bow, 0.0},           {entry, 0.6 * half},   {shoulder, half},
-                                         {-bow + half, half},  {-bow, 0.85 * half},   {-bow, -0.85 * half},
-                                         {-bow + half, -half}, {shoulder, -half},     {entry, -0.6 * half}};
+    const std::vector<BodyPoint> corners{{bow, 0.0},           {entry, 0.6 * half}, {shoulder, half},
+                                         {-bow + half, half},  {-bow, 0.85 * half}, {-bow, -0.85 * half},
+                                         {-bow + half, -half}, {shoulder, -half},   {entry, -0.6 * half}};
     std::vector<BodyPoint> outline;
-    for (std::size_t i = 0; i < corners.size(); ++i) addSide(outline, corners[i], corners[(i + 1) % corners.size()]);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        addSide(outline, corners[i], corners[(i + 1) % corners.size()]);
     return outline;
 }
 

@@ -15,7 +15,7 @@ struct Hull {
     double draught_m = 0.0;
     double depth_m = 0.0;  ///< keel to main deck
     double displacement_m3 = 0.0;
-    double waterDensity_kgpm3 = 0.0;  ///< of the water the numbers hold in
+    double waterDensity_kgpm3 = 0.0;   ///< of the water the numbers hold in
     double metacentricHeight_m = 0.0;  ///< transverse GM
     double waterplaneCoefficient = 0.0;
     double rollGyradius_m = 0.0;
@@ -27,9 +27,9 @@ struct Hull {
     double waterplaneArea_m2() const { return waterplaneCoefficient * lengthBp_m * beam_m; }
 };
 
-/// Outline of the ship at the waterline and above, as seen from above: what touches a quay. Clockwise from the bow,
-/// points at most `kOutlineStep_m` apart. A pointed bow over the forward 30 % of the length, parallel sides, a transom
-/// at 85 % of the beam: enough for contact; the picture has its own hull.
+/// Outline of the ship at the waterline and above, as seen from above: what touches a quay. Clockwise from
+/// the bow, points at most `kOutlineStep_m` apart. A pointed bow over the forward 30 % of the length,
+/// parallel sides, a transom at 85 % of the beam: enough for contact; the picture has its own hull.
 std::vector<BodyPoint> outlineOf(double lengthOverall_m, double beam_m);
 inline constexpr double kOutlineStep_m = 3.0;
 

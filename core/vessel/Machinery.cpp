@@ -6,7 +6,7 @@
 namespace sagara::core {
 namespace {
 
-constexpr std::array<const char*, kTelegraphSteps> kStepNames{"fullAstern",    "halfAstern", "slowAstern",
+constexpr std::array<const char*, kTelegraphSteps> kStepNames{"fullAstern",     "halfAstern", "slowAstern",
                                                               "deadSlowAstern", "stop",       "deadSlowAhead",
                                                               "slowAhead",      "halfAhead",  "fullAhead"};
 
@@ -35,8 +35,9 @@ TelegraphTable readTelegraph(config::Reader& propulsion) {
             table[i] = kRpm_rps * in.number(kStepNames[i], {-3000.0, 3000.0, "rpm"});
         }
         if (i > 0 && in.has(kStepNames[i]) && table[i] <= table[i - 1]) {
-            in.problem(kStepNames[i], "is " + config::formatNumber(table[i] / kRpm_rps),
-                       "more than the step below it, " + config::formatNumber(table[i - 1] / kRpm_rps) + " rpm");
+            in.problem(
+                kStepNames[i], "is " + config::formatNumber(table[i] / kRpm_rps),
+                "more than the step below it, " + config::formatNumber(table[i - 1] / kRpm_rps) + " rpm");
         }
     }
     in.rejectUnknownKeys();

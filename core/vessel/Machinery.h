@@ -11,7 +11,15 @@ namespace sagara::core {
 
 /// Steps of the engine telegraph, astern to ahead.
 enum class TelegraphStep : std::uint8_t {
-    FullAstern, HalfAstern, SlowAstern, DeadSlowAstern, Stop, DeadSlowAhead, SlowAhead, HalfAhead, FullAhead
+    FullAstern,
+    HalfAstern,
+    SlowAstern,
+    DeadSlowAstern,
+    Stop,
+    DeadSlowAhead,
+    SlowAhead,
+    HalfAhead,
+    FullAhead
 };
 inline constexpr std::size_t kTelegraphSteps = 9;
 /// "fullAstern" ... "fullAhead": as in documents and command files.
@@ -44,12 +52,12 @@ Propulsion readPropulsion(config::Reader& in);
 struct Steering {
     std::vector<BodyPoint> rudders;
     double areaEach_m2 = 0.0;
-    double liftSlope_perRad = 0.0;   ///< lift coefficient per angle in free flow
-    double stallAngle_rad = 0.0;     ///< the lift grows no further
+    double liftSlope_perRad = 0.0;  ///< lift coefficient per angle in free flow
+    double stallAngle_rad = 0.0;    ///< the lift grows no further
     double limit_rad = 0.0;
-    double rate_radps = 0.0;         ///< with both pumps; half of it with one
-    double lag_s = 0.0;              ///< 0: the gear runs at its rate until the order is reached
-    double raceShare = 0.0;          ///< part of the added race velocity squared that acts on the rudder
+    double rate_radps = 0.0;  ///< with both pumps; half of it with one
+    double lag_s = 0.0;       ///< 0: the gear runs at its rate until the order is reached
+    double raceShare = 0.0;   ///< part of the added race velocity squared that acts on the rudder
     Provenance provenance;
 };
 Steering readSteering(config::Reader& in);

@@ -15,11 +15,16 @@ Provenance readProvenance(config::Reader& in) {
 
 const char* qualityName(Quality quality) {
     switch (quality) {
-        case Quality::Measured: return "measured";
-        case Quality::Fitted: return "fitted";
-        case Quality::Published: return "published";
-        case Quality::Estimated: return "estimated";
-        case Quality::Tuned: return "tuned";
+        case Quality::Measured:
+            return "measured";
+        case Quality::Fitted:
+            return "fitted";
+        case Quality::Published:
+            return "published";
+        case Quality::Estimated:
+            return "estimated";
+        case Quality::Tuned:
+            return "tuned";
     }
     return "";
 }

@@ -14,9 +14,10 @@ struct NamedFactor {
     Factor factor;
 };
 constexpr NamedFactor kFactors[] = {
-    {"u", Factor::Surge},       {"v", Factor::Sway},         {"r", Factor::YawRate},       {"p", Factor::RollRate},
-    {"phi", Factor::Roll},      {"|u|", Factor::AbsSurge},   {"|v|", Factor::AbsSway},     {"|r|", Factor::AbsYawRate},
-    {"|p|", Factor::AbsRollRate}, {"|phi|", Factor::AbsRoll},
+    {"u", Factor::Surge},       {"v", Factor::Sway},         {"r", Factor::YawRate},
+    {"p", Factor::RollRate},    {"phi", Factor::Roll},       {"|u|", Factor::AbsSurge},
+    {"|v|", Factor::AbsSway},   {"|r|", Factor::AbsYawRate}, {"|p|", Factor::AbsRollRate},
+    {"|phi|", Factor::AbsRoll},
 };
 
 bool findFactor(const std::string& name, Factor& factor) {
@@ -34,7 +35,8 @@ PolynomialTerm readTerm(const config::Node& node) {
     PolynomialTerm term;
     const std::string of = in.text("of");
     if (!of.empty() && !parseFactors(of, term.factors)) {
-        in.problem("of", "is \"" + of + "\"", "up to four of u v r p phi |u| |v| |r| |p| |phi|, such as \"phi |u| v\" or \"r^2\"");
+        in.problem("of", "is \"" + of + "\"",
+                   "up to four of u v r p phi |u| |v| |r| |p| |phi|, such as \"phi |u| v\" or \"r^2\"");
     }
     const config::Range any{-kAny, kAny, "SI"};
     term.surge = in.numberOr("X", 0.0, any);
@@ -90,8 +92,9 @@ PolynomialModel readPolynomial(config::Reader& in) {
     m.extensionBelow_mps = extension.number("wholeBelow_mps", {0.0, 30.0, "m/s"});
     m.crossFlowDrag = extension.number("crossFlowDrag", {0.0, 3.0, ""});
     if (m.extensionBelow_mps >= m.holdsFrom_mps) {
-        extension.problem("wholeBelow_mps", "is " + config::formatNumber(m.extensionBelow_mps),
-                          "less than published.holdsFrom_mps, " + config::formatNumber(m.holdsFrom_mps) + " m/s");
+        extension.problem(
+            "wholeBelow_mps", "is " + config::formatNumber(m.extensionBelow_mps),
+            "less than published.holdsFrom_mps, " + config::formatNumber(m.holdsFrom_mps) + " m/s");
     }
     extension.text("source");
     extension.rejectUnknownKeys();

@@ -11,21 +11,34 @@
 /// Parameters of the manoeuvring models a vessel document can carry. The physics is in core/motion.
 namespace sagara::core {
 
-/// One row of a published polynomial: a product of at most four motion quantities and its coefficient in each force.
+/// One row of a published polynomial: a product of at most four motion quantities and its coefficient in each
+/// force.
 struct PolynomialTerm {
     /// Quantities a factor can name. Abs... is the absolute value.
-    enum class Factor : std::uint8_t { One, Surge, Sway, YawRate, RollRate, Roll, AbsSurge, AbsSway, AbsYawRate, AbsRollRate, AbsRoll };
+    enum class Factor : std::uint8_t {
+        One,
+        Surge,
+        Sway,
+        YawRate,
+        RollRate,
+        Roll,
+        AbsSurge,
+        AbsSway,
+        AbsYawRate,
+        AbsRollRate,
+        AbsRoll
+    };
     std::array<Factor, 4> factors{};
-    double surge = 0.0;  ///< X, SI
-    double sway = 0.0;   ///< Y
-    double roll = 0.0;   ///< K
-    double yaw = 0.0;    ///< N
-    bool crossFlow = false;     ///< fades out below the published range, where cross-flow drag takes over
-    bool turnsAstern = false;   ///< changes sign with the direction of motion (an even |u| that stands for u)
+    double surge = 0.0;        ///< X, SI
+    double sway = 0.0;         ///< Y
+    double roll = 0.0;         ///< K
+    double yaw = 0.0;          ///< N
+    bool crossFlow = false;    ///< fades out below the published range, where cross-flow drag takes over
+    bool turnsAstern = false;  ///< changes sign with the direction of motion (an even |u| that stands for u)
 };
 
-/// A published set of hull derivatives in 4 degrees of freedom, with the rigid body and added mass it goes with, the
-/// rudder and thrust rule it was published with and the range of speed it holds in.
+/// A published set of hull derivatives in 4 degrees of freedom, with the rigid body and added mass it goes
+/// with, the rudder and thrust rule it was published with and the range of speed it holds in.
 struct PolynomialModel {
     double mass_kg = 0.0;
     double xG_m = 0.0;
@@ -39,13 +52,15 @@ struct PolynomialModel {
     std::vector<PolynomialTerm> terms;
     double rudderYawLever_m = 0.0;   ///< moment of the rudder force about Bo, abaft midship
     double rudderRollLever_m = 0.0;  ///< of the inward heel
-    /// Published thrust: independent of speed, this much in all at this shaft speed, with its square at others.
+    /// Published thrust: independent of speed, this much in all at this shaft speed, with its square at
+    /// others.
     double publishedThrust_N = 0.0;
     double publishedShaft_rps = 1.0;
-    double holdsFrom_mps = 0.0;      ///< published range of speed ahead
+    double holdsFrom_mps = 0.0;  ///< published range of speed ahead
     double holdsTo_mps = 0.0;
-    double extensionBelow_mps = 0.0; ///< the low-speed extension is whole below this speed, nothing from holdsFrom on
-    double crossFlowDrag = 0.0;      ///< coefficient at rest
+    double extensionBelow_mps =
+        0.0;  ///< the low-speed extension is whole below this speed, nothing from holdsFrom on
+    double crossFlowDrag = 0.0;  ///< coefficient at rest
     Provenance provenance;
 };
 
@@ -56,7 +71,7 @@ struct SandaruwanModel {
     double swayGain_m = 0.0;          ///< K_v; negative: the stern swings out
     double swayTimeConstant_s = 1.0;  ///< tau_v at the reference speed
     double referenceSpeed_mps = 1.0;
-    bool scalesWithSpeed = true;      ///< K ~ U, tau ~ 1/U (audit, eq 4); false is the paper's constant K and tau
+    bool scalesWithSpeed = true;  ///< K ~ U, tau ~ 1/U (audit, eq 4); false is the paper's constant K and tau
     double surgeAddedMassRatio = 0.05;
     double resistance_kgpm = 0.0;     ///< X_uu
     double surgeFromTurn_kg = 0.0;    ///< X_vr
@@ -74,8 +89,8 @@ bool parseFactors(const std::string& text, std::array<PolynomialTerm::Factor, 4>
 
 /// Heave, pitch and, where the manoeuvring model has none, roll: added mass and damping as ratios.
 struct Seakeeping {
-    double heaveAddedMassRatio = 0.0;   ///< over the ship's mass
-    double heaveDampingRatio = 0.0;     ///< of critical
+    double heaveAddedMassRatio = 0.0;  ///< over the ship's mass
+    double heaveDampingRatio = 0.0;    ///< of critical
     double pitchAddedInertiaRatio = 0.0;
     double pitchDampingRatio = 0.0;
     double rollAddedInertiaRatio = 0.0;

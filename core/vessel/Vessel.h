@@ -14,7 +14,8 @@ namespace sagara::core {
 
 inline constexpr int kVesselDocumentVersion = 1;
 
-/// Everything a vessel document says, in SI and frame B. Plain data: what is worked out from it is made by core/motion.
+/// Everything a vessel document says, in SI and frame B. Plain data: what is worked out from it is made by
+/// core/motion.
 struct Vessel {
     std::string id;
     std::string name;

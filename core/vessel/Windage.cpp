@@ -42,7 +42,8 @@ Windage readWindage(config::Reader& in) {
         w.type = *type;
     } else if (!name.empty()) {
         std::string names;
-        for (const BlendermannType& row : kTypes) names += (names.empty() ? "" : ", ") + std::string(row.name);
+        for (const BlendermannType& row : kTypes)
+            names += (names.empty() ? "" : ", ") + std::string(row.name);
         in.problem("blendermannType", "is \"" + name + "\"", "one of " + names);
     }
     w.frontalArea_m2 = in.number("frontalArea_m2", {0.5, 5000.0, "m2"});

@@ -9,24 +9,29 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kFallSpeed_mps = 4.0;       // anchor and cable falling free through the water
-constexpr double kRunSpeed_mps = 1.5;        // cable running out after the anchor, brake off
-constexpr double kVeerSpeed_mps = 0.8;       // cable veered on the brake: its own weight runs it out
-constexpr double kSubmerged = 1.0 - kSeaWaterDensity_kgpm3 / 7850.0;  // weight of steel in water over that in air
-constexpr double kCableFriction = 1.0;       // on sand and mud
-constexpr double kDigIn_m = 4.0;             // dragged until the flukes hold fully
-constexpr double kHoldUnset = 0.35;          // share of the holding power of an anchor that has not dug in
-constexpr double kDragPace_mps = 2.0;        // speed of dragging at twice the holding power
+constexpr double kFallSpeed_mps = 4.0;  // anchor and cable falling free through the water
+constexpr double kRunSpeed_mps = 1.5;   // cable running out after the anchor, brake off
+constexpr double kVeerSpeed_mps = 0.8;  // cable veered on the brake: its own weight runs it out
+constexpr double kSubmerged =
+    1.0 - kSeaWaterDensity_kgpm3 / 7850.0;  // weight of steel in water over that in air
+constexpr double kCableFriction = 1.0;      // on sand and mud
+constexpr double kDigIn_m = 4.0;            // dragged until the flukes hold fully
+constexpr double kHoldUnset = 0.35;         // share of the holding power of an anchor that has not dug in
+constexpr double kDragPace_mps = 2.0;       // speed of dragging at twice the holding power
 
 double cableWeight_Npm(const AnchorGear& gear) { return kSubmerged * gear.cableMass_kgpm * kGravity_mps2; }
 
 /// Cable out in this tick, by what the windlass is doing.
 double cableSpeed_mps(const AnchorGear& gear, const AnchorState& anchor) {
     switch (anchor.status) {
-        case AnchorStatus::Running: return anchor.onBottom ? kRunSpeed_mps : kFallSpeed_mps;
-        case AnchorStatus::Veering: return kVeerSpeed_mps;
-        case AnchorStatus::Heaving: return -gear.heaveSpeed_mps;
-        default: return 0.0;
+        case AnchorStatus::Running:
+            return anchor.onBottom ? kRunSpeed_mps : kFallSpeed_mps;
+        case AnchorStatus::Veering:
+            return kVeerSpeed_mps;
+        case AnchorStatus::Heaving:
+            return -gear.heaveSpeed_mps;
+        default:
+            return 0.0;
     }
 }
 
@@ -74,7 +79,8 @@ void drag(AnchorState& anchor, double holding_N, double slackening_m, NorthEast 
 /// EA of studlink cable from its mass: steel of reduced modulus on twice the bar's section.
 double cableStiffness_N(const AnchorGear& gear) {
     constexpr double kModulus_Pa = 5.6e10;
-    constexpr double kMassPerSection_kgpm3 = 7850.0 * 3.55;  // mass per metre over the bar's section (ISO 1704)
+    constexpr double kMassPerSection_kgpm3 =
+        7850.0 * 3.55;  // mass per metre over the bar's section (ISO 1704)
     return kModulus_Pa * 2.0 * gear.cableMass_kgpm / kMassPerSection_kgpm3;
 }
 
@@ -82,18 +88,24 @@ double cableStiffness_N(const AnchorGear& gear) {
 
 const char* anchorStatusName(AnchorStatus status) {
     switch (status) {
-        case AnchorStatus::Home: return "home";
-        case AnchorStatus::Running: return "running";
-        case AnchorStatus::Held: return "held";
-        case AnchorStatus::Veering: return "veering";
-        case AnchorStatus::Heaving: return "heaving";
-        case AnchorStatus::CableParted: return "cableParted";
+        case AnchorStatus::Home:
+            return "home";
+        case AnchorStatus::Running:
+            return "running";
+        case AnchorStatus::Held:
+            return "held";
+        case AnchorStatus::Veering:
+            return "veering";
+        case AnchorStatus::Heaving:
+            return "heaving";
+        case AnchorStatus::CableParted:
+            return "cableParted";
     }
     return "";
 }
 
-double holdingPower_N(const AnchorGear& gear, const AnchorState& anchor, const AnchorGround& ground, double lying_m,
-                      double uplift_rad) {
+double holdingPower_N(const AnchorGear& gear, const AnchorState& anchor, const AnchorGround& ground,
+                      double lying_m, double uplift_rad) {
     const double weight_N = gear.anchorMass_kg * kGravity_mps2;
     const double dugIn = kHoldUnset + (1.0 - kHoldUnset) * anchor.set;
     const double flat = std::max(0.2, 1.0 - uplift_rad / (15.0 * kDegree_rad));
@@ -117,7 +129,8 @@ bool workAnchor(const AnchorGear& gear, AnchorState& anchor, const AnchorGround&
         anchor.cableOut_m = std::min(gear.cableLength_m, std::max(anchor.cableOut_m, apart_m + height_m));
     }
     const auto shapeAt = [&](double horizontal_m) {
-        return cableShape(horizontal_m, height_m, anchor.cableOut_m, cableWeight_Npm(gear), cableStiffness_N(gear));
+        return cableShape(horizontal_m, height_m, anchor.cableOut_m, cableWeight_Npm(gear),
+                          cableStiffness_N(gear));
     };
     const CableShape shape = shapeAt(apart_m);
     anchor.pull_N = shape.horizontal_N;

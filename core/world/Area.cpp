@@ -23,7 +23,8 @@ bool Area::isLand(NorthEast p) const {
 }
 
 const Berth* Area::findBerth(std::string_view berthId) const {
-    const auto it = std::find_if(berths.begin(), berths.end(), [&](const Berth& b) { return b.id == berthId; });
+    const auto it =
+        std::find_if(berths.begin(), berths.end(), [&](const Berth& b) { return b.id == berthId; });
     return it == berths.end() ? nullptr : &*it;
 }
 
@@ -37,7 +38,8 @@ const Berth::Bollard* Area::findBollard(std::string_view bollardId) const {
 }
 
 const Place* Area::findPlace(std::string_view placeId) const {
-    const auto it = std::find_if(places.begin(), places.end(), [&](const Place& p) { return p.id == placeId; });
+    const auto it =
+        std::find_if(places.begin(), places.end(), [&](const Place& p) { return p.id == placeId; });
     return it == places.end() ? nullptr : &*it;
 }
 

@@ -45,8 +45,18 @@ struct Berth {
 
 /// Kinds of marks, IALA Maritime Buoyage System.
 enum class MarkKind : std::uint8_t {
-    Lighthouse, LateralPort, LateralStarboard, CardinalNorth, CardinalEast, CardinalSouth, CardinalWest,
-    IsolatedDanger, SafeWater, Special, Leading, Beacon
+    Lighthouse,
+    LateralPort,
+    LateralStarboard,
+    CardinalNorth,
+    CardinalEast,
+    CardinalSouth,
+    CardinalWest,
+    IsolatedDanger,
+    SafeWater,
+    Special,
+    Leading,
+    Beacon
 };
 
 /// A light as the light list prints it.
@@ -90,12 +100,13 @@ public:
     double holdingRatio = 1.0;  ///< of the ground, over the good ground anchors are rated in
     double meanTideLevel_m = 0.0;
     std::vector<TidalConstituent> tide;
-    std::vector<std::vector<NorthEast>> land;     ///< closed rings, clockwise
-    std::vector<std::vector<NorthEast>> context;  ///< coarser rings farther out, for the picture and the radar
+    std::vector<std::vector<NorthEast>> land;  ///< closed rings, clockwise
+    std::vector<std::vector<NorthEast>>
+        context;  ///< coarser rings farther out, for the picture and the radar
     Shore shore;
-    std::vector<Grid> depths;                     ///< finest first; below chart datum, land negative
-    std::vector<Grid> shelter;                    ///< factor on wave height, 0 to 1
-    std::vector<Grid> elevation;                  ///< above mean sea level
+    std::vector<Grid> depths;     ///< finest first; below chart datum, land negative
+    std::vector<Grid> shelter;    ///< factor on wave height, 0 to 1
+    std::vector<Grid> elevation;  ///< above mean sea level
     std::vector<Berth> berths;
     std::vector<Mark> marks;
     std::vector<Place> places;

@@ -121,18 +121,20 @@ private:
             const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
             std::vector<float> values;
             values.reserve(count);
-            for (const double v : in.numbers("values", count, {range.low / unit, range.high / unit, "units"})) {
+            for (const double v :
+                 in.numbers("values", count, {range.low / unit, range.high / unit, "units"})) {
                 values.push_back(static_cast<float>(v * unit));
             }
             in.rejectUnknownKeys();
-            grids.emplace_back(southWest, spacing_m, static_cast<std::size_t>(rows), static_cast<std::size_t>(columns),
-                               std::move(values));
+            grids.emplace_back(southWest, spacing_m, static_cast<std::size_t>(rows),
+                               static_cast<std::size_t>(columns), std::move(values));
         }
         return grids;
     }
 
     void checkUnique(config::Reader& in, const std::string& id) {
-        if (!id.empty() && !m_ids.insert(id).second) in.problem("id", "is \"" + id + "\" again", "each id once");
+        if (!id.empty() && !m_ids.insert(id).second)
+            in.problem("id", "is \"" + id + "\" again", "each id once");
     }
 
     Berth readBerth(const config::Node& node) {

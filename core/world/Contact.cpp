@@ -7,10 +7,10 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kReach_m = 3.0;          // shore nearer than this to the outline is looked at in the tick
-constexpr double kDeepest_m = 8.0;        // an overlap deeper than this is on the far side of something thin
-constexpr double kBlow_radps = 6.0;       // natural frequency of a hard contact
-constexpr double kHardDamping = 0.4;      // of critical
+constexpr double kReach_m = 3.0;      // shore nearer than this to the outline is looked at in the tick
+constexpr double kDeepest_m = 8.0;    // an overlap deeper than this is on the far side of something thin
+constexpr double kBlow_radps = 6.0;   // natural frequency of a hard contact
+constexpr double kHardDamping = 0.4;  // of critical
 constexpr double kFenderDamping = 0.15;
 constexpr double kFriction = 0.3;
 constexpr double kFrictionSpeed_mps = 0.05;  // friction is whole above this sliding speed
@@ -26,7 +26,7 @@ struct Point {
     NorthEast otherVelocity;
     double otherMass_kg;  ///< 0: does not move
     std::int32_t other;
-    std::size_t body;     ///< what is touched: kShoreBody, kFenderBody or kFirstShipBody and on
+    std::size_t body;  ///< what is touched: kShoreBody, kFenderBody or kFirstShipBody and on
 };
 constexpr std::size_t kFenderBody = 0, kShoreBody = 1, kFirstShipBody = 2;
 constexpr std::size_t kMostBodies = kFirstShipBody + std::tuple_size_v<decltype(Obstacles::ships.items)>;
@@ -34,9 +34,12 @@ constexpr std::size_t kMostBodies = kFirstShipBody + std::tuple_size_v<decltype(
 ContactKind kindOf(ShoreKind kind) {
     switch (kind) {
         case ShoreKind::Quay:
-        case ShoreKind::Jetty: return ContactKind::Quay;
-        case ShoreKind::Breakwater: return ContactKind::Breakwater;
-        default: return ContactKind::Shore;
+        case ShoreKind::Jetty:
+            return ContactKind::Quay;
+        case ShoreKind::Breakwater:
+            return ContactKind::Breakwater;
+        default:
+            return ContactKind::Shore;
     }
 }
 
@@ -80,7 +83,8 @@ Hardness hardContact(double mass_kg) {
 }
 
 template <typename Visit>
-void visitShore(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
+void visitShore(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame,
+                Visit&& visit) {
     const auto [stiffness, damping] = hardContact(hull.lateralMass_kg);
     for (const Obstacles::NearShore& near : obstacles.shore) {
         const BodyPoint where = hull.outline[near.vertex];
@@ -95,14 +99,24 @@ void visitShore(const Obstacles& obstacles, const ContactHull& hull, const Headi
         if (!inBox(corner, hull.halfSize, 0.0)) continue;
         const OutlineHit hit = hitOutline(hull.outline, corner);
         if (!hit.inside || hit.distance_m < 1e-6) continue;
-        const BodyPoint inward{(corner.x_m - hit.nearest.x_m) / hit.distance_m, (corner.y_m - hit.nearest.y_m) / hit.distance_m};
-        visit(Point{near.kind, hit.nearest, frame.vector(inward), hit.distance_m, stiffness, damping, {}, 0.0, 0,
+        const BodyPoint inward{(corner.x_m - hit.nearest.x_m) / hit.distance_m,
+                               (corner.y_m - hit.nearest.y_m) / hit.distance_m};
+        visit(Point{near.kind,
+                    hit.nearest,
+                    frame.vector(inward),
+                    hit.distance_m,
+                    stiffness,
+                    damping,
+                    {},
+                    0.0,
+                    0,
                     kShoreBody});
     }
 }
 
 template <typename Visit>
-void visitFenders(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
+void visitFenders(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame,
+                  Visit&& visit) {
     for (const Obstacles::NearFender& near : obstacles.fenders) {
         const Fender& fender = *near.fender;
         const BodyPoint root = frame.pointInBody(fender.position), out = frame.vectorInBody(near.outward);
@@ -124,13 +138,22 @@ void visitFenders(const Obstacles& obstacles, const ContactHull& hull, const Hea
         }
         if (nearest_m >= fender.thickness_m) continue;
         const double damping = kFenderDamping * std::sqrt(fender.stiffness_Npm * hull.lateralMass_kg);
-        visit(Point{ContactKind::Fender, where, near.outward, fender.thickness_m - nearest_m, fender.stiffness_Npm, damping,
-                    {}, 0.0, 0, kFenderBody});
+        visit(Point{ContactKind::Fender,
+                    where,
+                    near.outward,
+                    fender.thickness_m - nearest_m,
+                    fender.stiffness_Npm,
+                    damping,
+                    {},
+                    0.0,
+                    0,
+                    kFenderBody});
     }
 }
 
 template <typename Visit>
-void visitShips(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
+void visitShips(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame,
+                Visit&& visit) {
     std::size_t body = kFirstShipBody;
     for (const ShipObstacle& ship : obstacles.ships) {
         const auto [stiffness, damping] = hardContact(std::min(hull.lateralMass_kg, ship.mass_kg));
@@ -141,17 +164,18 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
             const OutlineHit hit = hitOutline(ship.outline, p);
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const NorthEast away = theirs.point(hit.nearest) - frame.point(vertex);
-            visit(Point{ContactKind::Ship, vertex, (1.0 / hit.distance_m) * away, hit.distance_m, stiffness, damping,
-                        ship.velocity, ship.mass_kg, ship.index, body});
+            visit(Point{ContactKind::Ship, vertex, (1.0 / hit.distance_m) * away, hit.distance_m, stiffness,
+                        damping, ship.velocity, ship.mass_kg, ship.index, body});
         }
         for (const BodyPoint& vertex : ship.outline) {
             const BodyPoint p = frame.pointInBody(theirs.point(vertex));
             if (!inBox(p, hull.halfSize, 0.0)) continue;
             const OutlineHit hit = hitOutline(hull.outline, p);
             if (!hit.inside || hit.distance_m < 1e-6) continue;
-            const BodyPoint inward{(p.x_m - hit.nearest.x_m) / hit.distance_m, (p.y_m - hit.nearest.y_m) / hit.distance_m};
-            visit(Point{ContactKind::Ship, hit.nearest, frame.vector(inward), hit.distance_m, stiffness, damping,
-                        ship.velocity, ship.mass_kg, ship.index, body});
+            const BodyPoint inward{(p.x_m - hit.nearest.x_m) / hit.distance_m,
+                                   (p.y_m - hit.nearest.y_m) / hit.distance_m};
+            visit(Point{ContactKind::Ship, hit.nearest, frame.vector(inward), hit.distance_m, stiffness,
+                        damping, ship.velocity, ship.mass_kg, ship.index, body});
         }
         ++body;
     }
@@ -168,18 +192,26 @@ void visitAll(const Obstacles& obstacles, const ContactHull& hull, const Heading
 
 const char* contactKindName(ContactKind kind) {
     switch (kind) {
-        case ContactKind::Fender: return "fender";
-        case ContactKind::Quay: return "quay";
-        case ContactKind::Breakwater: return "breakwater";
-        case ContactKind::Shore: return "shore";
-        case ContactKind::Ship: return "ship";
+        case ContactKind::Fender:
+            return "fender";
+        case ContactKind::Quay:
+            return "quay";
+        case ContactKind::Breakwater:
+            return "breakwater";
+        case ContactKind::Shore:
+            return "shore";
+        case ContactKind::Ship:
+            return "ship";
     }
     return "";
 }
 
 ContactHull contactHull(const Hull& hull, double lateralMass_kg) {
-    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m), 0.0, {0.5 * hull.lengthOverall_m, 0.5 * hull.beam_m},
-                  hull.lengthOverall_m, lateralMass_kg};
+    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m),
+                  0.0,
+                  {0.5 * hull.lengthOverall_m, 0.5 * hull.beam_m},
+                  hull.lengthOverall_m,
+                  lateralMass_kg};
     for (const BodyPoint& p : c.outline) c.radius_m = std::max(c.radius_m, std::hypot(p.x_m, p.y_m));
     return c;
 }
@@ -206,7 +238,8 @@ void findObstacles(const Area& area, const ContactHull& hull, const ShipMotion& 
         }
         for (const Shore::Piece* piece : pieces) {
             const BodyPoint corner = frame.pointInBody(piece->segment.a);
-            if (inBox(corner, hull.halfSize, kReach_m) && hitOutline(hull.outline, corner).distance_m < kReach_m) {
+            if (inBox(corner, hull.halfSize, kReach_m) &&
+                hitOutline(hull.outline, corner).distance_m < kReach_m) {
                 found.corners.add({piece, kindOf(area.shore.lines()[piece->line].kind)});
             }
         }
@@ -214,15 +247,18 @@ void findObstacles(const Area& area, const ContactHull& hull, const ShipMotion& 
     for (const Berth& berth : area.berths) {
         if (distanceTo(berth.face, m.position()) > reach_m) continue;
         for (const Fender& fender : berth.fenders) {
-            if (distance(fender.position, m.position()) < reach_m) found.fenders.add({&fender, berth.outward()});
+            if (distance(fender.position, m.position()) < reach_m)
+                found.fenders.add({&fender, berth.outward()});
         }
     }
 }
 
-Load contactLoad(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m, NorthEast current) {
+Load contactLoad(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m,
+                 NorthEast current) {
     const HeadingFrame frame(m.position(), m.heading_rad);
-    // A hard body has the stiffness of one blow however many points touch it: they share it by their depth. (A long side flat
-    // on a quay would else be as many times stiffer and more damped as it has points, too much for the tick.)
+    // A hard body has the stiffness of one blow however many points touch it: they share it by their depth.
+    // (A long side flat on a quay would else be as many times stiffer and more damped as it has points, too
+    // much for the tick.)
     struct Overlap {
         double sum_m = 0.0, deepest_m = 0.0;
     };
@@ -238,18 +274,21 @@ Load contactLoad(const Obstacles& obstacles, const ContactHull& hull, const Ship
         const double closing_mps = -dot(velocity, point.away);
         const Overlap& overlap = overlaps[point.body];
         const bool fender = point.body == kFenderBody;
-        const double share = fender ? 1.0 : point.depth_m / overlap.sum_m, depth_m = fender ? point.depth_m : overlap.deepest_m;
+        const double share = fender ? 1.0 : point.depth_m / overlap.sum_m,
+                     depth_m = fender ? point.depth_m : overlap.deepest_m;
         const double normal_N =
             share * std::max(0.0, point.stiffness_Npm * depth_m + point.damping_Nspm * closing_mps);
         const NorthEast sliding = velocity + closing_mps * point.away;
         const double slide_mps = length(sliding);
-        const NorthEast force = normal_N * point.away + -kFriction * normal_N / (slide_mps + kFrictionSpeed_mps) * sliding;
+        const NorthEast force =
+            normal_N * point.away + -kFriction * normal_N / (slide_mps + kFrictionSpeed_mps) * sliding;
         sum = sum + forceAt(point.where, 0.0, frame.vectorInBody(force));
     });
     return sum;
 }
 
-Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m, NorthEast current) {
+Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m,
+                    NorthEast current) {
     const HeadingFrame frame(m.position(), m.heading_rad);
     Touches touches{};
     visitAll(obstacles, hull, frame, [&](const Point& point) {
@@ -260,9 +299,11 @@ Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const S
         // A blow off the middle turns the ship instead of stopping her: share k^2 / (k^2 + x^2), k = L/4.
         const double k2 = hull.length_m * hull.length_m / 16.0;
         const double own_kg = hull.lateralMass_kg * k2 / (k2 + point.where.x_m * point.where.x_m);
-        const double mass_kg = point.otherMass_kg > 0.0 ? own_kg * point.otherMass_kg / (own_kg + point.otherMass_kg) : own_kg;
+        const double mass_kg =
+            point.otherMass_kg > 0.0 ? own_kg * point.otherMass_kg / (own_kg + point.otherMass_kg) : own_kg;
         const double speed_mps = std::max(0.0, closing_mps);
-        touch = {true, frame.point(point.where), closing_mps, 0.5 * mass_kg * speed_mps * speed_mps, point.other};
+        touch = {true, frame.point(point.where), closing_mps, 0.5 * mass_kg * speed_mps * speed_mps,
+                 point.other};
     });
     return touches;
 }

@@ -74,8 +74,9 @@ struct Obstacles {
 /// Shore and fenders in reach; ships are added by the caller.
 void findObstacles(const Area& area, const ContactHull& hull, const ShipMotion& m, Obstacles& found);
 
-/// Elastic, damped contact with dry friction at every point where outlines overlap. Stiffness follows the ship's mass
-/// (natural frequency of the blow 6 rad/s), so that the fixed tick serves ships of every size; a fender has its own.
+/// Elastic, damped contact with dry friction at every point where outlines overlap. Stiffness follows the
+/// ship's mass (natural frequency of the blow 6 rad/s), so that the fixed tick serves ships of every size; a
+/// fender has its own.
 Load contactLoad(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m, NorthEast current);
 
 /// The hardest point of contact of each kind, for events.
@@ -87,6 +88,7 @@ struct Touch {
     std::int32_t other = 0;     ///< for ships: ShipObstacle::index
 };
 using Touches = std::array<Touch, kContactKinds>;
-Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m, NorthEast current);
+Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const ShipMotion& m,
+                    NorthEast current);
 
 }  // namespace sagara::core

@@ -55,24 +55,28 @@ double headingRound(NorthEast centre, NorthEast p, double radius_m) {
 
 }  // namespace
 
-TargetIntent hostileIntent(const TargetLayout& layout, TargetState& state, NorthEast ownPosition, double ownHeading_rad,
-                           double ownSpeed_mps, double dt_s) {
+TargetIntent hostileIntent(const TargetLayout& layout, TargetState& state, NorthEast ownPosition,
+                           double ownHeading_rad, double ownSpeed_mps, double dt_s) {
     const double range_m = distance(state.position, ownPosition);
     state.phaseTime_s += dt_s;
     choosePhase(state, range_m);
     const double fast = fastest_mps(layout);
-    if (range_m < kTooNear_m) return {bearing_rad(ownPosition, state.position), std::max(0.6 * fast, ownSpeed_mps + 3.0)};
+    if (range_m < kTooNear_m)
+        return {bearing_rad(ownPosition, state.position), std::max(0.6 * fast, ownSpeed_mps + 3.0)};
     switch (state.phase) {
         case HostilePhase::Close: {
             // for a point ahead of her bow
-            const NorthEast ahead = ownPosition + (kStandOff_m + 20.0 * ownSpeed_mps) * unitVector(ownHeading_rad);
+            const NorthEast ahead =
+                ownPosition + (kStandOff_m + 20.0 * ownSpeed_mps) * unitVector(ownHeading_rad);
             return {bearing_rad(state.position, ahead), fast};
         }
         case HostilePhase::Harass:
-            return {headingRound(ownPosition, state.position, kStandOff_m), std::max(0.6 * fast, 1.5 * ownSpeed_mps)};
+            return {headingRound(ownPosition, state.position, kStandOff_m),
+                    std::max(0.6 * fast, 1.5 * ownSpeed_mps)};
         case HostilePhase::Withdraw:
             return {bearing_rad(state.position, layout.route.front().position), 0.8 * fast};
-        case HostilePhase::Loiter: break;
+        case HostilePhase::Loiter:
+            break;
     }
     return {headingRound(layout.route.front().position, state.position, kLoiterRadius_m), 0.25 * fast};
 }

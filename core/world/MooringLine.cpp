@@ -5,25 +5,33 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kShortest_m = 2.0;      // a line cannot be hove shorter than this
-constexpr double kHaulFactor = 3.0;      // a free line comes in this much faster than the winch heaves
-constexpr double kDampingTime_s = 0.15;  // damping over stiffness: hysteresis of a synthetic line, some 10 % of critical
+constexpr double kShortest_m = 2.0;  // a line cannot be hove shorter than this
+constexpr double kHaulFactor = 3.0;  // a free line comes in this much faster than the winch heaves
+constexpr double kDampingTime_s =
+    0.15;  // damping over stiffness: hysteresis of a synthetic line, some 10 % of critical
 
 }  // namespace
 
 const char* lineStatusName(LineStatus status) {
     switch (status) {
-        case LineStatus::In: return "in";
-        case LineStatus::Fast: return "fast";
-        case LineStatus::Slacking: return "slacking";
-        case LineStatus::Heaving: return "heaving";
-        case LineStatus::CastOff: return "castOff";
-        case LineStatus::Parted: return "parted";
+        case LineStatus::In:
+            return "in";
+        case LineStatus::Fast:
+            return "fast";
+        case LineStatus::Slacking:
+            return "slacking";
+        case LineStatus::Heaving:
+            return "heaving";
+        case LineStatus::CastOff:
+            return "castOff";
+        case LineStatus::Parted:
+            return "parted";
     }
     return "";
 }
 
-double lineTension_N(const MooringGear& gear, const LineState& line, double distance_m, double stretchRate_mps) {
+double lineTension_N(const MooringGear& gear, const LineState& line, double distance_m,
+                     double stretchRate_mps) {
     if (!line.onBollard() || distance_m <= line.length_m) return 0.0;
     const double perMetre_N = gear.stiffness_N / line.length_m;
     return std::max(0.0, perMetre_N * (distance_m - line.length_m + kDampingTime_s * stretchRate_mps));
@@ -42,7 +50,8 @@ Load lineLoad(const MooringGear& gear, const LineLayout& layout, const LineState
     return forceAt(layout.fairlead, 0.0, frame.vectorInBody(tension_N * direction));
 }
 
-bool workLine(const MooringGear& gear, const LineLayout& layout, LineState& line, const ShipMotion& m, double dt_s) {
+bool workLine(const MooringGear& gear, const LineLayout& layout, LineState& line, const ShipMotion& m,
+              double dt_s) {
     const double step_m = gear.winchSpeed_mps * dt_s;
     if (line.status == LineStatus::CastOff) {
         line.length_m = std::max(0.0, line.length_m - kHaulFactor * step_m);

@@ -39,7 +39,8 @@ struct LineLayout {
 };
 
 /// Tension of an elastic line, never negative: EA (d - L) / L, with damping of the stretch's growth.
-double lineTension_N(const MooringGear& gear, const LineState& line, double distance_m, double stretchRate_mps);
+double lineTension_N(const MooringGear& gear, const LineState& line, double distance_m,
+                     double stretchRate_mps);
 
 /// Load on the ship of one line at a motion inside the tick; its length and status do not change in it.
 /// `current`: of the water, because motion is through it.
@@ -47,7 +48,8 @@ Load lineLoad(const MooringGear& gear, const LineLayout& layout, const LineState
               NorthEast current);
 
 /// Works the line for one tick, after the ship has moved. Returns true when it parts in this tick.
-bool workLine(const MooringGear& gear, const LineLayout& layout, LineState& line, const ShipMotion& m, double dt_s);
+bool workLine(const MooringGear& gear, const LineLayout& layout, LineState& line, const ShipMotion& m,
+              double dt_s);
 
 /// Made fast with a little tension where the ship lies.
 LineState madeFast(const LineLayout& layout, const ShipMotion& m);

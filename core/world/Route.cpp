@@ -27,11 +27,14 @@ RoutePath::RoutePath(const Route& route) {
     // tangent lengths of the arcs, cut where two of them would overlap on a leg
     std::vector<double> tangent_m(w.size(), 0.0), turn_rad(w.size(), 0.0);
     for (std::size_t i = 1; i + 1 < w.size(); ++i) {
-        turn_rad[i] = wrapPi(bearing_rad(w[i].position, w[i + 1].position) - bearing_rad(w[i - 1].position, w[i].position));
-        tangent_m[i] = w[i].turnRadius_m * std::tan(0.5 * std::min(std::abs(turn_rad[i]), 175.0 * kDegree_rad));
+        turn_rad[i] = wrapPi(bearing_rad(w[i].position, w[i + 1].position) -
+                             bearing_rad(w[i - 1].position, w[i].position));
+        tangent_m[i] =
+            w[i].turnRadius_m * std::tan(0.5 * std::min(std::abs(turn_rad[i]), 175.0 * kDegree_rad));
     }
     for (std::size_t i = 1; i < w.size(); ++i) {
-        const double leg_m = distance(w[i - 1].position, w[i].position), wanted_m = tangent_m[i - 1] + tangent_m[i];
+        const double leg_m = distance(w[i - 1].position, w[i].position),
+                     wanted_m = tangent_m[i - 1] + tangent_m[i];
         if (wanted_m <= leg_m) continue;
         tangent_m[i - 1] *= leg_m / wanted_m;
         tangent_m[i] *= leg_m / wanted_m;
@@ -45,14 +48,16 @@ RoutePath::RoutePath(const Route& route) {
         const double course_rad = bearing_rad(w[i - 1].position, w[i].position);
         const NorthEast direction = unitVector(course_rad);
         const NorthEast begin = w[i - 1].position + tangent_m[i - 1] * direction;
-        const double straight_m = distance(w[i - 1].position, w[i].position) - tangent_m[i - 1] - tangent_m[i];
+        const double straight_m =
+            distance(w[i - 1].position, w[i].position) - tangent_m[i - 1] - tangent_m[i];
         add(begin, course_rad, std::max(0.0, straight_m), 0.0);
         m_alongOf[i] = along_m;
         if (tangent_m[i] <= 0.0 || turn_rad[i] == 0.0) continue;
         const double radius_m = tangent_m[i] / std::tan(0.5 * std::abs(turn_rad[i]));
         const double arc_m = radius_m * std::abs(turn_rad[i]);
         m_alongOf[i] = along_m + 0.5 * arc_m;
-        add(w[i].position - tangent_m[i] * direction, course_rad, arc_m, std::copysign(1.0 / radius_m, turn_rad[i]));
+        add(w[i].position - tangent_m[i] * direction, course_rad, arc_m,
+            std::copysign(1.0 / radius_m, turn_rad[i]));
     }
     m_length_m = along_m;
 }
@@ -77,11 +82,13 @@ RoutePath::Place RoutePath::nearest(NorthEast p, double from_m, double behind_m,
         if (piece.curvature_perM == 0.0) {
             within_m = dot(p - piece.start, unitVector(piece.course_rad));
         } else {
-            const NorthEast centre = piece.start + (1.0 / piece.curvature_perM) * turnedRight(unitVector(piece.course_rad));
+            const NorthEast centre =
+                piece.start + (1.0 / piece.curvature_perM) * turnedRight(unitVector(piece.course_rad));
             const double turned_rad = wrapPi(bearing_rad(centre, p) - bearing_rad(centre, piece.start));
             within_m = turned_rad / piece.curvature_perM;
         }
-        const double first_m = std::max(0.0, low_m - piece.from_m), last_m = std::min(piece.length_m, high_m - piece.from_m);
+        const double first_m = std::max(0.0, low_m - piece.from_m),
+                     last_m = std::min(piece.length_m, high_m - piece.from_m);
         within_m = std::clamp(within_m, first_m, std::max(first_m, last_m));
         const NorthEast q = advance(piece.start, piece.course_rad, piece.curvature_perM, within_m);
         const double d_m = distance(q, p);
@@ -106,7 +113,8 @@ NorthEast RoutePath::pointAt(double along_m) const {
     std::size_t i = 0;
     while (i + 1 < m_pieces.size() && m_pieces[i + 1].from_m <= s) ++i;
     const Piece& piece = m_pieces[i];
-    return advance(piece.start, piece.course_rad, piece.curvature_perM, std::min(s - piece.from_m, piece.length_m));
+    return advance(piece.start, piece.course_rad, piece.curvature_perM,
+                   std::min(s - piece.from_m, piece.length_m));
 }
 
 }  // namespace sagara::core

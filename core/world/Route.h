@@ -22,8 +22,8 @@ struct Route {
     std::vector<Waypoint> waypoints;
 };
 
-/// The line a ship follows: straight legs joined by arcs of each waypoint's turn radius. Where two legs are too short for
-/// their radius the arc is made as large as fits. Immutable.
+/// The line a ship follows: straight legs joined by arcs of each waypoint's turn radius. Where two legs are
+/// too short for their radius the arc is made as large as fits. Immutable.
 class RoutePath {
 public:
     RoutePath() = default;
@@ -31,11 +31,11 @@ public:
     explicit RoutePath(const Route& route);
 
     struct Place {
-        double along_m = 0.0;        ///< from the first waypoint
-        double offTrack_m = 0.0;     ///< to starboard of the track is positive
-        std::size_t leg = 1;         ///< index of the waypoint the leg ends at; changes in the middle of a turn
-        double course_rad = 0.0;     ///< of the track here
-        double curvature_perM = 0.0; ///< positive in a turn to starboard
+        double along_m = 0.0;     ///< from the first waypoint
+        double offTrack_m = 0.0;  ///< to starboard of the track is positive
+        std::size_t leg = 1;      ///< index of the waypoint the leg ends at; changes in the middle of a turn
+        double course_rad = 0.0;  ///< of the track here
+        double curvature_perM = 0.0;  ///< positive in a turn to starboard
     };
     /// The nearest point of the path not more than `behind_m` before and `ahead_m` after `from_m`.
     Place nearest(NorthEast p, double from_m, double behind_m, double ahead_m) const;

@@ -10,12 +10,18 @@ constexpr double kCell_m = 100.0;
 
 const char* shoreKindName(ShoreKind kind) {
     switch (kind) {
-        case ShoreKind::Quay: return "quay";
-        case ShoreKind::Jetty: return "jetty";
-        case ShoreKind::Breakwater: return "breakwater";
-        case ShoreKind::Rock: return "rock";
-        case ShoreKind::Beach: return "beach";
-        case ShoreKind::Other: return "shore";
+        case ShoreKind::Quay:
+            return "quay";
+        case ShoreKind::Jetty:
+            return "jetty";
+        case ShoreKind::Breakwater:
+            return "breakwater";
+        case ShoreKind::Rock:
+            return "rock";
+        case ShoreKind::Beach:
+            return "beach";
+        case ShoreKind::Other:
+            return "shore";
     }
     return "";
 }
@@ -27,8 +33,8 @@ NorthEast unit(NorthEast v) {
     return l > 0.0 ? (1.0 / l) * v : NorthEast{1.0, 0.0};
 }
 
-/// Whether land lies on the right hand, going along the line: most of its pieces decide, because a line of the chart may
-/// touch the ring's corners.
+/// Whether land lies on the right hand, going along the line: most of its pieces decide, because a line of
+/// the chart may touch the ring's corners.
 bool landOnTheRight(const ShoreLine& line, const std::vector<std::vector<NorthEast>>& land) {
     constexpr double kProbe_m = 0.3;
     int votes = 0;
@@ -43,7 +49,8 @@ bool landOnTheRight(const ShoreLine& line, const std::vector<std::vector<NorthEa
 }
 
 /// Pieces of one line with their water sides.
-void addPieces(std::vector<Shore::Piece>& pieces, const ShoreLine& line, std::uint32_t index, bool landRight) {
+void addPieces(std::vector<Shore::Piece>& pieces, const ShoreLine& line, std::uint32_t index,
+               bool landRight) {
     const std::size_t first = pieces.size();
     const double side = landRight ? -1.0 : 1.0;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -58,8 +65,8 @@ void addPieces(std::vector<Shore::Piece>& pieces, const ShoreLine& line, std::ui
     }
 }
 
-/// Where two lines meet, or one closes, the corner is shared as within a line. `starts`: first piece of every line, and the
-/// number of pieces.
+/// Where two lines meet, or one closes, the corner is shared as within a line. `starts`: first piece of every
+/// line, and the number of pieces.
 void joinLines(std::vector<Shore::Piece>& pieces, const std::vector<std::size_t>& starts) {
     constexpr double kSamePlace_m = 0.01;
     struct End {
@@ -93,7 +100,8 @@ Shore::Offset Shore::offset(const Piece& piece, NorthEast p) {
     return {dot(p - nearest, normal) < 0.0 ? -far_m : far_m, nearest};
 }
 
-Shore::Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEast>>& land) : m_lines(std::move(lines)) {
+Shore::Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEast>>& land)
+    : m_lines(std::move(lines)) {
     NorthEast low{1e18, 1e18}, high{-1e18, -1e18};
     std::vector<std::size_t> starts{0};
     for (std::uint32_t line = 0; line < m_lines.size(); ++line) {
@@ -112,8 +120,10 @@ Shore::Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEa
     m_cells.resize(m_rows * m_columns);
     for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
         const Segment& s = m_pieces[i].segment;
-        const auto [row0, column0] = cell({std::min(s.a.north_m, s.b.north_m), std::min(s.a.east_m, s.b.east_m)});
-        const auto [row1, column1] = cell({std::max(s.a.north_m, s.b.north_m), std::max(s.a.east_m, s.b.east_m)});
+        const auto [row0, column0] =
+            cell({std::min(s.a.north_m, s.b.north_m), std::min(s.a.east_m, s.b.east_m)});
+        const auto [row1, column1] =
+            cell({std::max(s.a.north_m, s.b.north_m), std::max(s.a.east_m, s.b.east_m)});
         for (std::size_t row = row0; row <= row1; ++row) {
             for (std::size_t column = column0; column <= column1; ++column) {
                 m_cells[row * m_columns + column].push_back(i);
@@ -124,7 +134,8 @@ Shore::Shore(std::vector<ShoreLine> lines, const std::vector<std::vector<NorthEa
 
 Shore::Cell Shore::cell(NorthEast p) const {
     const auto index = [](double offset_m, std::size_t count) {
-        return static_cast<std::size_t>(std::clamp(std::floor(offset_m / kCell_m), 0.0, static_cast<double>(count - 1)));
+        return static_cast<std::size_t>(
+            std::clamp(std::floor(offset_m / kCell_m), 0.0, static_cast<double>(count - 1)));
     };
     return {index(p.north_m - m_southWest.north_m, m_rows), index(p.east_m - m_southWest.east_m, m_columns)};
 }

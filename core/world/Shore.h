@@ -29,7 +29,8 @@ public:
     struct Piece {
         Segment segment;
         std::uint32_t line;  ///< index into lines()
-        /// Unit vectors towards the water: of the piece, and of its ends, where they are the mean with the neighbour's.
+        /// Unit vectors towards the water: of the piece, and of its ends, where they are the mean with the
+        /// neighbour's.
         NorthEast toWater, toWaterA, toWaterB;
     };
     /// Distance from the piece to p, positive on the water side, and the point of the piece nearest to p.
@@ -40,7 +41,8 @@ public:
     static Offset offset(const Piece& piece, NorthEast p);
     const std::vector<ShoreLine>& lines() const { return m_lines; }
 
-    /// Calls visit(piece) for every segment that may lie within `radius_m` of p. Each segment may come more than once.
+    /// Calls visit(piece) for every segment that may lie within `radius_m` of p. Each segment may come more
+    /// than once.
     template <typename Visit>
     void near(NorthEast p, double radius_m, Visit&& visit) const {
         if (m_rows == 0) return;

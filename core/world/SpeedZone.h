@@ -14,11 +14,14 @@ struct SpeedZone {
     NorthEast centre;
     double radius_m = 0.0;
 
-    bool holds(NorthEast p, std::size_t leg) const { return circle ? distance(p, centre) <= radius_m : leg <= toWaypoint; }
+    bool holds(NorthEast p, std::size_t leg) const {
+        return circle ? distance(p, centre) <= radius_m : leg <= toWaypoint;
+    }
 };
 
 /// The lowest speed of the zones that hold, or `otherwise` where none does.
-inline double lowestSpeed_mps(const std::vector<SpeedZone>& zones, NorthEast p, std::size_t leg, double otherwise_mps) {
+inline double lowestSpeed_mps(const std::vector<SpeedZone>& zones, NorthEast p, std::size_t leg,
+                              double otherwise_mps) {
     double lowest_mps = otherwise_mps;
     for (const SpeedZone& zone : zones) {
         if (zone.holds(p, leg) && zone.speed_mps < lowest_mps) lowest_mps = zone.speed_mps;

@@ -17,14 +17,22 @@ bool isFast(const TargetLayout& layout) { return layout.type == TargetType::Fast
 
 const char* targetTypeName(TargetType type) {
     switch (type) {
-        case TargetType::Fishing: return "fishing";
-        case TargetType::Coaster: return "coaster";
-        case TargetType::Tanker: return "tanker";
-        case TargetType::Container: return "container";
-        case TargetType::Ferry: return "ferry";
-        case TargetType::Yacht: return "yacht";
-        case TargetType::Tug: return "tug";
-        case TargetType::FastCraft: return "fastCraft";
+        case TargetType::Fishing:
+            return "fishing";
+        case TargetType::Coaster:
+            return "coaster";
+        case TargetType::Tanker:
+            return "tanker";
+        case TargetType::Container:
+            return "container";
+        case TargetType::Ferry:
+            return "ferry";
+        case TargetType::Yacht:
+            return "yacht";
+        case TargetType::Tug:
+            return "tug";
+        case TargetType::FastCraft:
+            return "fastCraft";
     }
     return "";
 }
@@ -39,7 +47,8 @@ TargetState startOf(const TargetLayout& layout) {
     s.position = layout.route.front().position;
     s.leg = layout.route.size() > 1 ? 1 : 0;
     s.heading_rad = layout.route.size() > 1 ? bearing_rad(s.position, layout.route[1].position) : 0.0;
-    const bool moves = layout.behaviour == TargetBehaviour::Route || layout.behaviour == TargetBehaviour::Circuit;
+    const bool moves =
+        layout.behaviour == TargetBehaviour::Route || layout.behaviour == TargetBehaviour::Circuit;
     s.speed_mps = moves && layout.route.size() > 1 ? layout.route[1].speed_mps : 0.0;
     return s;
 }
@@ -57,20 +66,24 @@ TargetIntent followRoute(const TargetLayout& layout, TargetState& state) {
     const bool last = !circuit && state.leg + 1 == count;
     const double left_m = distance(state.position, to.position);
     // She takes the way off over the last five lengths.
-    const double speed_mps = last ? std::min(to.speed_mps, to.speed_mps * left_m / (5.0 * layout.length_m) + 0.3) : to.speed_mps;
+    const double speed_mps =
+        last ? std::min(to.speed_mps, to.speed_mps * left_m / (5.0 * layout.length_m) + 0.3) : to.speed_mps;
     return {bearing_rad(state.position, to.position), speed_mps};
 }
 
 void moveTarget(const TargetLayout& layout, TargetState& state, const TargetIntent& intent, NorthEast current,
                 double dt_s) {
-    const double wanted_mps = state.stopped ? 0.0 : state.orderedSpeed_mps >= 0.0 ? state.orderedSpeed_mps : intent.speed_mps;
+    const double wanted_mps = state.stopped                   ? 0.0
+                              : state.orderedSpeed_mps >= 0.0 ? state.orderedSpeed_mps
+                                                              : intent.speed_mps;
     const double speedLag_s = isFast(layout) ? 4.0 : 5.0 + 0.4 * layout.length_m;
     state.speed_mps += (wanted_mps - state.speed_mps) / speedLag_s * dt_s;
 
     const double radius_m = (isFast(layout) ? 1.5 : 2.5) * layout.length_m;
     const double most_radps = std::min(state.speed_mps / radius_m, 0.35);
     const double error_rad = wrapPi(intent.heading_rad - state.heading_rad);
-    const double turn_radps = std::clamp(0.15 * error_rad * (isFast(layout) ? 4.0 : 1.0), -most_radps, most_radps);
+    const double turn_radps =
+        std::clamp(0.15 * error_rad * (isFast(layout) ? 4.0 : 1.0), -most_radps, most_radps);
     const double turnLag_s = std::max(0.5, 0.08 * layout.length_m);
     state.yawRate_radps += (turn_radps - state.yawRate_radps) / turnLag_s * dt_s;
     state.heading_rad = wrapPi(state.heading_rad + state.yawRate_radps * dt_s);

@@ -12,10 +12,10 @@ namespace sagara::core {
 enum class TargetType : std::uint8_t { Fishing, Coaster, Tanker, Container, Ferry, Yacht, Tug, FastCraft };
 
 enum class TargetBehaviour : std::uint8_t {
-    Route,   ///< follows her waypoints once, then lies stopped at the last
-    Circuit, ///< follows her waypoints for ever
-    Lying,   ///< stopped or anchored where she is
-    Hostile  ///< loiters at her first waypoint, closes an own ship that comes near, harasses her
+    Route,    ///< follows her waypoints once, then lies stopped at the last
+    Circuit,  ///< follows her waypoints for ever
+    Lying,    ///< stopped or anchored where she is
+    Hostile   ///< loiters at her first waypoint, closes an own ship that comes near, harasses her
 };
 
 /// A traffic ship of the scenario. Immutable; positions in frame N.
@@ -49,7 +49,7 @@ struct TargetState {
     double heading_rad = 0.0;
     double speed_mps = 0.0;
     double yawRate_radps = 0.0;
-    std::uint32_t leg = 0;  ///< waypoint she heads for
+    std::uint32_t leg = 0;           ///< waypoint she heads for
     double orderedSpeed_mps = -1.0;  ///< by the instructor; negative: as her route says
     HostilePhase phase = HostilePhase::Loiter;
     double phaseTime_s = 0.0;
@@ -58,8 +58,8 @@ struct TargetState {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.present, self.stopped, self.position, self.heading_rad, self.speed_mps, self.yawRate_radps, self.leg,
-           self.orderedSpeed_mps, self.phase, self.phaseTime_s);
+        ar(self.present, self.stopped, self.position, self.heading_rad, self.speed_mps, self.yawRate_radps,
+           self.leg, self.orderedSpeed_mps, self.phase, self.phaseTime_s);
     }
 };
 
@@ -73,8 +73,8 @@ struct TargetIntent {
 };
 TargetIntent followRoute(const TargetLayout& layout, TargetState& state);
 
-/// First-order dynamics in yaw and speed with limits by length and speed (after Nomoto 1957): no jumps in heading, turn
-/// rate or speed. Turning circle 2.5 lengths in radius at any speed, 1.5 for fast craft.
+/// First-order dynamics in yaw and speed with limits by length and speed (after Nomoto 1957): no jumps in
+/// heading, turn rate or speed. Turning circle 2.5 lengths in radius at any speed, 1.5 for fast craft.
 void moveTarget(const TargetLayout& layout, TargetState& state, const TargetIntent& intent, NorthEast current,
                 double dt_s);
 

@@ -8,8 +8,8 @@ namespace sagara::core {
 namespace {
 
 /// Under one point of the keel, squat not taken off.
-double clearanceAt(const Area& area, const Keel& keel, const ShipMotion& m, const HeadingFrame& frame, BodyPoint p,
-                   double tide_m) {
+double clearanceAt(const Area& area, const Keel& keel, const ShipMotion& m, const HeadingFrame& frame,
+                   BodyPoint p, double tide_m) {
     const double keel_m = keel.draught_m + m.down_m - p.x_m * m.pitch_rad + p.y_m * m.roll_rad;
     return area.depth_m(frame.point(p)) + tide_m - keel_m;
 }
@@ -18,8 +18,10 @@ double clearanceAt(const Area& area, const Keel& keel, const ShipMotion& m, cons
 
 Keel keelOf(const Hull& hull, double heaveStiffness_Npm) {
     const double x = 0.45 * hull.lengthBp_m, y = 0.3 * hull.beam_m;
-    const std::array<BodyPoint, 6> points{{{x, 0.0}, {0.5 * x, y}, {0.5 * x, -y}, {-0.5 * x, y}, {-0.5 * x, -y}, {-x, 0.0}}};
-    return {points, hull.draught_m, hull.blockCoefficient(), heaveStiffness_Npm / static_cast<double>(points.size())};
+    const std::array<BodyPoint, 6> points{
+        {{x, 0.0}, {0.5 * x, y}, {0.5 * x, -y}, {-0.5 * x, y}, {-0.5 * x, -y}, {-x, 0.0}}};
+    return {points, hull.draught_m, hull.blockCoefficient(),
+            heaveStiffness_Npm / static_cast<double>(points.size())};
 }
 
 UnderKeel underKeel(const Area& area, const Keel& keel, const ShipMotion& m, double tide_m) {

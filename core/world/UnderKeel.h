@@ -18,15 +18,16 @@ struct Keel {
 };
 Keel keelOf(const Hull& hull, double heaveStiffness_Npm);
 
-/// Water under the keel where it is least: depth + tide - draught - squat, with heave, roll and pitch as they are. Negative
-/// when she has run into the ground. `tide_m` above chart datum.
+/// Water under the keel where it is least: depth + tide - draught - squat, with heave, roll and pitch as they
+/// are. Negative when she has run into the ground. `tide_m` above chart datum.
 struct UnderKeel {
     double clearance_m = 0.0;
     BodyPoint point;
 };
 UnderKeel underKeel(const Area& area, const Keel& keel, const ShipMotion& m, double tide_m);
 
-/// The ground's push up and its drag, once a point of the keel is in it: a spring that takes the ship's weight, friction 0.5.
+/// The ground's push up and its drag, once a point of the keel is in it: a spring that takes the ship's
+/// weight, friction 0.5.
 Load groundLoad(const Area& area, const Keel& keel, const ShipMotion& m, double tide_m, NorthEast current);
 
 }  // namespace sagara::core

@@ -28,7 +28,8 @@ struct Running {
 
 /// Seconds of simulation per second of one core.
 void rate(benchmark::State& bench, std::int64_t ticks) {
-    bench.counters["xRealTime"] = benchmark::Counter(static_cast<double>(ticks) * kTick_s, benchmark::Counter::kIsRate);
+    bench.counters["xRealTime"] =
+        benchmark::Counter(static_cast<double>(ticks) * kTick_s, benchmark::Counter::kIsRate);
 }
 
 void advanceBeaufort5(benchmark::State& bench) {

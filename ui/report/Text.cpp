@@ -14,8 +14,8 @@ namespace {
 /// likes.
 constexpr double kFontPixel_mm = 0.01;
 constexpr double kPoint_mm = 25.4 / 72.0;
-/// The smallest letter spacing there is: it shows nowhere and keeps Qt from joining "fi", which a PDF could not be
-/// searched for.
+/// The smallest letter spacing there is: it shows nowhere and keeps Qt from joining "fi", which a PDF could
+/// not be searched for.
 constexpr double kNoLigatures = 0.02;
 constexpr QColor kHalo =
     colour::kPaper;  // opaque: a transparent pen makes Qt write every stroke as an outline

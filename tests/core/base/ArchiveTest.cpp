@@ -33,7 +33,8 @@ struct Outer {
     friend bool operator==(const Outer&, const Outer&) = default;
 };
 
-const Outer kSample{"harbour", {{1.5, 7}, {-2.25, std::nullopt}}, {1, 2, 3}, Inner{9.0, 4}, Colour::Green, true};
+const Outer kSample{"harbour", {{1.5, 7}, {-2.25, std::nullopt}}, {1, 2, 3}, Inner{9.0, 4}, Colour::Green,
+                    true};
 
 TEST(Archive, WhatIsWrittenIsReadBack) { EXPECT_EQ(fromBytes<Outer>(toBytes(kSample)), kSample); }
 

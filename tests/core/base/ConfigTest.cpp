@@ -49,7 +49,8 @@ TEST(Config, EveryProblemIsReportedAtOnceWithItsPath) {
 TEST(Config, NotANumberIsRefused) {
     EXPECT_EQ(problemsOf(R"({"length_m": "long", "name": "a", "kind": "tug"})"),
               "ship.json: length_m is \"long\", expected 1 to 500 m");
-    EXPECT_NE(problemsOf(R"({"length_m": NaN, "name": "a", "kind": "tug"})").find("is not JSON"), std::string::npos);
+    EXPECT_NE(problemsOf(R"({"length_m": NaN, "name": "a", "kind": "tug"})").find("is not JSON"),
+              std::string::npos);
     EXPECT_NE(problemsOf(R"({"length_m": 1e999, "name": "a", "kind": "tug"})"), "");
     EXPECT_EQ(problemsOf(R"({"length_m": null, "name": "a", "kind": "tug"})"),
               "ship.json: length_m is null, expected 1 to 500 m");
@@ -63,7 +64,8 @@ TEST(Config, MalformedTextSaysWhere) {
 }
 
 TEST(Config, NestedPathsNameTheItem) {
-    Document document("a.json", R"({"list": [{"x": 1}, {"x": "no"}], "points": [[1, 2], [91, 0]], "at": {"lat": 1}})");
+    Document document("a.json",
+                      R"({"list": [{"x": 1}, {"x": "no"}], "points": [[1, 2], [91, 0]], "at": {"lat": 1}})");
     Reader in(document.root());
     for (const Node& node : in.list("list")) Reader(node).number("x", {0.0, 5.0, "m"});
     in.geoPoints("points", 3);

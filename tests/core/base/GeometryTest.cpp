@@ -71,7 +71,8 @@ TEST(Shapes, CrossingIsSeenFromBothSides) {
 TEST(Grid, BilinearIsExactForAPlaneAndHoldsTheEdgeOutside) {
     std::vector<float> values;
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column) values.push_back(static_cast<float>(10 + 2 * row - column));
+        for (int column = 0; column < 4; ++column)
+            values.push_back(static_cast<float>(10 + 2 * row - column));
     }
     const Grid grid({100.0, -50.0}, 5.0, 3, 4, values);
     EXPECT_DOUBLE_EQ(grid.at({106.0, -41.0}), 10.0 + 2.0 * 1.2 - 1.8);

@@ -14,8 +14,9 @@ TEST(Utc, ReadsAndWritesTheSameInstant) {
 }
 
 TEST(Utc, RefusesWhatIsNotAnInstant) {
-    for (const char* text : {"", "2027-01-15", "2027-13-15T03:30:00Z", "2027-02-29T00:00:00Z", "2027-01-15T24:00:00Z",
-                             "2027-01-15 03:30:00Z", "2027-01-15T03:30:0xZ", "2027-01-15T03:30:00+"}) {
+    for (const char* text :
+         {"", "2027-01-15", "2027-13-15T03:30:00Z", "2027-02-29T00:00:00Z", "2027-01-15T24:00:00Z",
+          "2027-01-15 03:30:00Z", "2027-01-15T03:30:0xZ", "2027-01-15T03:30:00+"}) {
         EXPECT_FALSE(parseUtc(text)) << text;
     }
 }

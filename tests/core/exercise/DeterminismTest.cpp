@@ -10,7 +10,8 @@
 namespace sagara::core {
 namespace {
 
-constexpr std::int64_t kTicks = 150 * kTicksPerSecond;  // lines let go, spring, backing, turning: contact and all
+constexpr std::int64_t kTicks =
+    150 * kTicksPerSecond;  // lines let go, spring, backing, turning: contact and all
 
 /// Everything a trainee and a trainer might do in the first minutes.
 std::vector<Command> busyCommands() {
@@ -27,7 +28,8 @@ std::vector<Command> busyCommands() {
 }
 
 std::span<const Command> due(const std::vector<Command>& commands, std::int64_t tick) {
-    const auto first = std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.tick >= tick; });
+    const auto first =
+        std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.tick >= tick; });
     auto last = first;
     while (last != commands.end() && last->tick == tick) ++last;
     return {first, last};
@@ -58,7 +60,8 @@ TEST(Determinism, TwoRunsThatInterleaveDoNotTouchEachOther) {
     State first = startState(*a, 3), second = startState(*b, 3);
     Random random(5);
     while (first.tick < kTicks || second.tick < kTicks) {
-        State& state = second.tick >= kTicks || (first.tick < kTicks && random.uniform() < 0.5) ? first : second;
+        State& state =
+            second.tick >= kTicks || (first.tick < kTicks && random.uniform() < 0.5) ? first : second;
         step(&state == &first ? *a : *b, state);
     }
     EXPECT_EQ(stateHash(first), hashAfter(*a, kTicks));

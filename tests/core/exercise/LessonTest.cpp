@@ -44,36 +44,39 @@ TEST_P(PilotSailsTheLesson, AndPasses) {
     EXPECT_LE(before_s, limit_s[level - 1]);
     EXPECT_LT(std::abs(s.state.ships[0].motion.surge_mps), 0.8);  // the swell surges her at her anchor
     EXPECT_FALSE(std::any_of(s.events.begin(), s.events.end(), [](const Event& e) {
-        return e.kind == EventKind::Grounding || e.kind == EventKind::LineParted || e.kind == EventKind::CableParted;
+        return e.kind == EventKind::Grounding || e.kind == EventKind::LineParted ||
+               e.kind == EventKind::CableParted;
     }));
 }
 INSTANTIATE_TEST_SUITE_P(LevelsAndSeeds, PilotSailsTheLesson,
-                         ::testing::Values(std::pair{1, 1}, std::pair{2, 21}, std::pair{3, 1}, std::pair{3, 33}, std::pair{4, 44},
-                                           std::pair{5, 1}, std::pair{5, 55}),
+                         ::testing::Values(std::pair{1, 1}, std::pair{2, 21}, std::pair{3, 1},
+                                           std::pair{3, 33}, std::pair{4, 44}, std::pair{5, 1},
+                                           std::pair{5, 55}),
                          [](const auto& row) {
-                             return "Level" + std::to_string(row.param.first) + "Seed" + std::to_string(row.param.second);
+                             return "Level" + std::to_string(row.param.first) + "Seed" +
+                                    std::to_string(row.param.second);
                          });
 
-/// What the bad run of assets/commands costs, in the order it is found. Times and values as sailed at level 3 with seed 1;
-/// they move a little when a force does: 10 s and 10 %.
+/// What the bad run of assets/commands costs, in the order it is found. Times and values as sailed at level 3
+/// with seed 1; they move a little when a force does: 10 s and 10 %.
 struct Loss {
     const char* criterion;
     double time_s, value, limit, points;
 };
 const Loss kBadRun[] = {
-    {"speed", 165, 9.91 * 0.5144, 6 * 0.5144, 8},           // 10 kn through the entrance, 55 s: twice
-    {"speed", 248, 10.7 * 0.5144, 10 * 0.5144, 12},         // and faster in the bay; the weight of 20 is used up
-    {"cross-track", 288, 207, 0.05 * 1852, 12},             // wheel over late at Outside
-    {"anchor-place", 890, 177, 50, 15},                     // let go short of the mark
+    {"speed", 165, 9.91 * 0.5144, 6 * 0.5144, 8},    // 10 kn through the entrance, 55 s: twice
+    {"speed", 248, 10.7 * 0.5144, 10 * 0.5144, 12},  // and faster in the bay; the weight of 20 is used up
+    {"cross-track", 288, 207, 0.05 * 1852, 12},      // wheel over late at Outside
+    {"anchor-place", 890, 177, 50, 15},              // let go short of the mark
     {"let-go-speed", 890, -9.67 * 0.5144, 0.3 * 0.5144, 10},  // with headway
-    {"anchor-drag", 913, 10.0, 10, 15},                     // so that it drags
-    {"speed", 476, 10.8 * 0.5144, 3 * 0.5144, 0},           // never slowed down: nothing left to take off
+    {"anchor-drag", 913, 10.0, 10, 15},                       // so that it drags
+    {"speed", 476, 10.8 * 0.5144, 3 * 0.5144, 0},             // never slowed down: nothing left to take off
 };
 
 TEST(BadRun, LosesPointByPointAndFails) {
     const auto world = test::lessonWorld(1);
-    const auto commands =
-        loadCommands("bad run", test::readAsset("commands/basic-navigation-bad-run.json"), orderNames(*world));
+    const auto commands = loadCommands("bad run", test::readAsset("commands/basic-navigation-bad-run.json"),
+                                       orderNames(*world));
     ASSERT_TRUE(commands) << commands.error().text();
     const Sailed s = sail(*world, 3, *commands);
     std::vector<Event> deductions;
@@ -84,7 +87,8 @@ TEST(BadRun, LosesPointByPointAndFails) {
     for (std::size_t i = 0; i < deductions.size(); ++i) {
         const Event& e = deductions[i];
         const Loss& expected = kBadRun[i];
-        EXPECT_EQ(world->mission.criteria[static_cast<std::size_t>(e.index)]->terms().id, expected.criterion) << i;
+        EXPECT_EQ(world->mission.criteria[static_cast<std::size_t>(e.index)]->terms().id, expected.criterion)
+            << i;
         EXPECT_NEAR(e.time().seconds(), expected.time_s, 10.0) << i;
         EXPECT_NEAR(e.value, expected.value, 0.1 * std::abs(expected.value)) << i;
         EXPECT_NEAR(e.limit, expected.limit, 0.001 * std::abs(expected.limit)) << i;

@@ -14,7 +14,8 @@ protected:
     const OrderNames names = orderNames(*world);
 
     Result<std::vector<Command>, config::Problems> load(const std::string& commands) const {
-        return loadCommands("c.json", R"({"document": "commands", "version": 1, "commands": [)" + commands + "]}", names);
+        return loadCommands(
+            "c.json", R"({"document": "commands", "version": 1, "commands": [)" + commands + "]}", names);
     }
     Order one(const std::string& order) const {
         const auto loaded = load("{\"time_s\": 1.5, " + order + "}");
@@ -29,19 +30,28 @@ protected:
 };
 
 TEST_F(Orders, EveryKindIsRead) {
-    EXPECT_NEAR(std::get<HelmOrder>(one(R"("order": "helm", "rudder_deg": -10)")).rudder_rad, -10 * kDegree_rad, 1e-12);
-    const auto telegraph = std::get<TelegraphOrder>(one(R"("order": "telegraph", "shaft": "starboard", "step": "halfAhead")"));
+    EXPECT_NEAR(std::get<HelmOrder>(one(R"("order": "helm", "rudder_deg": -10)")).rudder_rad,
+                -10 * kDegree_rad, 1e-12);
+    const auto telegraph =
+        std::get<TelegraphOrder>(one(R"("order": "telegraph", "shaft": "starboard", "step": "halfAhead")"));
     EXPECT_EQ(telegraph.shaft, 1);
     EXPECT_EQ(telegraph.step, TelegraphStep::HalfAhead);
     EXPECT_EQ(std::get<ShaftOrder>(one(R"("order": "shaft", "speed_rpm": 120)")).shaft, kAllShafts);
-    EXPECT_EQ(std::get<AutopilotOrder>(one(R"("order": "autopilot", "mode": "track")")).mode, AutopilotMode::Track);
+    EXPECT_EQ(std::get<AutopilotOrder>(one(R"("order": "autopilot", "mode": "track")")).mode,
+              AutopilotMode::Track);
     EXPECT_FALSE(std::get<PilotOrder>(one(R"("order": "pilot", "engage": false)")).engage);
-    EXPECT_EQ(std::get<LineOrder>(one(R"("order": "line", "line": "fore-spring", "action": "letGo")")).line, 2);
-    EXPECT_NEAR(std::get<AnchorOrder>(one(R"("order": "anchor", "anchor": "port", "action": "veer", "shackles": 4)")).cable_m,
-                4 * kShackle_m, 1e-9);
-    EXPECT_NEAR(*std::get<WeatherOrder>(one(R"("order": "weather", "wind_kn": 20)")).windSpeed_mps, 20 * kKnot_mps, 1e-9);
-    EXPECT_EQ(std::get<FaultOrder>(one(R"("order": "fault", "fault": "engine", "shaft": "port")")).fault, Fault::Engine);
-    EXPECT_EQ(std::get<TargetOrder>(one(R"("order": "target", "target": "coaster", "action": "stop")")).target, 0u);
+    EXPECT_EQ(std::get<LineOrder>(one(R"("order": "line", "line": "fore-spring", "action": "letGo")")).line,
+              2);
+    EXPECT_NEAR(
+        std::get<AnchorOrder>(one(R"("order": "anchor", "anchor": "port", "action": "veer", "shackles": 4)"))
+            .cable_m,
+        4 * kShackle_m, 1e-9);
+    EXPECT_NEAR(*std::get<WeatherOrder>(one(R"("order": "weather", "wind_kn": 20)")).windSpeed_mps,
+                20 * kKnot_mps, 1e-9);
+    EXPECT_EQ(std::get<FaultOrder>(one(R"("order": "fault", "fault": "engine", "shaft": "port")")).fault,
+              Fault::Engine);
+    EXPECT_EQ(
+        std::get<TargetOrder>(one(R"("order": "target", "target": "coaster", "action": "stop")")).target, 0u);
     EXPECT_EQ(std::get<DifficultyOrder>(one(R"("order": "difficulty", "level": 4)")).level, 4);
     EXPECT_EQ(std::get<TriggerOrder>(one(R"("order": "event", "event": "rudder-jams")")).event, 2u);
     EXPECT_TRUE(std::holds_alternative<FinishOrder>(one(R"("order": "finish")")));
@@ -52,10 +62,12 @@ TEST_F(Orders, WrongOnesSayWhereAndWhatIsAccepted) {
               "c.json: commands[0].line is \"breast\", expected one of head, stern, fore-spring, aft-spring");
     EXPECT_EQ(problems(R"("order": "shaft", "shaft": "middle", "speed_rpm": 1)"),
               "c.json: commands[0].shaft is \"middle\", expected one of port, starboard");
-    EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 99)"), "c.json: commands[0].rudder_deg is 99, expected -70 to 70 deg");
+    EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 99)"),
+              "c.json: commands[0].rudder_deg is 99, expected -70 to 70 deg");
     EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 5, "speed": 3)"),
               "c.json: commands[0].speed is unknown, expected one of order, rudder_deg, time_s");
-    EXPECT_NE(problems(R"("order": "dive")").find("is \"dive\", expected one of helm, telegraph"), std::string::npos);
+    EXPECT_NE(problems(R"("order": "dive")").find("is \"dive\", expected one of helm, telegraph"),
+              std::string::npos);
     EXPECT_EQ(load(R"({"time_s": 9, "order": "finish"}, {"time_s": 3, "order": "finish"})").error().text(),
               "c.json: commands[1].time_s is 3, expected not before the command above, 9 s");
 }

@@ -10,8 +10,9 @@ namespace sagara::core {
 namespace {
 
 TEST(Prediction, InACalmIsExactlyWhatComes) {
-    const auto world = test::worldOf(test::with(test::openWaterScenario(1, 3), "/weather",
-                                                R"({"wind": {"speed_kn": 0, "from_deg": 0, "gustiness": 0}, "exposure": "inshore", "visibility_M": 10})"));
+    const auto world = test::worldOf(test::with(
+        test::openWaterScenario(1, 3), "/weather",
+        R"({"wind": {"speed_kn": 0, "from_deg": 0, "gustiness": 0}, "exposure": "inshore", "visibility_M": 10})"));
     State state = startState(*world, 3);
     const std::vector<Command> helm{{0, 0, HelmOrder{10 * kDegree_rad}}};
     (void)advance(*world, state, helm);
@@ -25,7 +26,8 @@ TEST(Prediction, InACalmIsExactlyWhatComes) {
 }
 
 TEST(Prediction, LeavesTheStateAloneAndEndsAtTheGround) {
-    const auto world = test::worldOf(test::with(test::openWaterScenario(1, 0), "/ownShips/0/heading_deg", "20"));
+    const auto world =
+        test::worldOf(test::with(test::openWaterScenario(1, 0), "/ownShips/0/heading_deg", "20"));
     const State state = startState(*world, 3);  // north from 5.995 N: into the rocks of Rumassala or the fort
     const auto before = stateHash(state);
     const auto poses = predict(*world, state, 0, 1800.0, 10.0);

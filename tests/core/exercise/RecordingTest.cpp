@@ -49,7 +49,7 @@ TEST_F(Recorded, IsReadBackWhole) {
     EXPECT_EQ(recording->header.trainee, "A. Perera");
     EXPECT_EQ(recording->endTick, kTicks);
     EXPECT_EQ(recording->end->stateHash, endHash);
-    EXPECT_EQ(recording->states.size(), 7u);   // at 0, 10, ... 60 s
+    EXPECT_EQ(recording->states.size(), 7u);  // at 0, 10, ... 60 s
     EXPECT_EQ(recording->commands.size(), 2u);
     EXPECT_EQ(recording->track(1, world->targets.size()).size(), 302u);
     EXPECT_EQ(recording->whole_bytes, bytes.size());
@@ -67,7 +67,8 @@ TEST_F(Recorded, ReplaysToTheBit) {
 TEST_F(Recorded, AnySecondIsReachedAndIsTheSameAsOnTheWay) {
     const auto recording = readRecording(bytes);
     std::vector<std::uint64_t> hashes;
-    (void)replay(*world, *recording, kTicks, [&](const State& s, auto, auto) { hashes.push_back(stateHash(s)); });
+    (void)replay(*world, *recording, kTicks,
+                 [&](const State& s, auto, auto) { hashes.push_back(stateHash(s)); });
     Random random(2);
     for (int i = 0; i < 20; ++i) {
         const auto tick = static_cast<std::int64_t>(1 + random.next() % kTicks);
@@ -90,7 +91,8 @@ TEST_F(Recorded, CutOffAnywhereItIsReadAsFarAsItIsWhole) {
         before = recording->endTick;
         EXPECT_TRUE(stateAt(*world, *recording, recording->endTick));
     }
-    for (const std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{8}, std::size_t{20}, std::size_t{5000}}) {
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{7}, std::size_t{8}, std::size_t{20}, std::size_t{5000}}) {
         EXPECT_FALSE(readRecording(std::span(bytes).first(size)));
     }
 }
@@ -115,8 +117,8 @@ TEST_F(Recorded, AFlippedBitIsFoundAndWhatIsBeforeItIsKept) {
 TEST_F(Recorded, GradedFromTheTrackItComesOutAsGradedInTheRun) {
     const auto recording = readRecording(bytes);
     const auto last = stateAt(*world, *recording, kTicks);
-    const Grading grading =
-        gradeTrack(world->mission, world->path, recording->track(1, world->targets.size()), recording->events, kTicks);
+    const Grading grading = gradeTrack(world->mission, world->path,
+                                       recording->track(1, world->targets.size()), recording->events, kTicks);
     ASSERT_TRUE(last->assessment.tasks[0].done);
     EXPECT_EQ(grading.assessment.tasks[0].done, last->assessment.tasks[0].done);
     EXPECT_EQ(grading.assessment.tasks[0].doneAt, last->assessment.tasks[0].doneAt);
@@ -129,8 +131,9 @@ TEST_F(Recorded, ARunOfAnotherBuildSaysSoAndStillHasItsTrack) {
     recording.header.buildId = "0123456789abcdef";
     const auto state = stateAt(*world, recording, 100);
     ASSERT_FALSE(state);
-    EXPECT_EQ(state.error(),
-              "the run was made by another build of Sagara (0123456789abcdef) and cannot be run again to the bit");
+    EXPECT_EQ(
+        state.error(),
+        "the run was made by another build of Sagara (0123456789abcdef) and cannot be run again to the bit");
     EXPECT_GT(recording.track(1, world->targets.size()).size(), 100u);
 }
 
@@ -163,7 +166,8 @@ TEST_F(Recorded, RandomBytesAreNeverARecordingAndNeverACrash) {
     for (int i = 0; i < 10'000; ++i) {
         Bytes buffer(random.next() % 300);
         for (std::byte& b : buffer) b = static_cast<std::byte>(random.next());
-        if (i % 2) buffer.insert(buffer.begin(), bytes.begin(), bytes.begin() + 8);  // behind the right first bytes
+        if (i % 2)
+            buffer.insert(buffer.begin(), bytes.begin(), bytes.begin() + 8);  // behind the right first bytes
         EXPECT_FALSE(readRecording(buffer));
     }
 }
@@ -226,10 +230,12 @@ TEST(RecordingSize, AnHourOf2OwnShipsAnd20TargetsIsAtMost20MB) {
     afterHeader = size;
     constexpr int kMinutes = 3;  // every minute is like the other
     while (session.state().tick < kMinutes * 60 * kTicksPerSecond) (void)session.step();
-    const double hour = static_cast<double>(afterHeader) + static_cast<double>(size - afterHeader) * 60.0 / kMinutes;
+    const double hour =
+        static_cast<double>(afterHeader) + static_cast<double>(size - afterHeader) * 60.0 / kMinutes;
     RecordProperty("bytesOfAnHour", std::to_string(hour));
     EXPECT_LE(hour, 20e6);
-    std::printf("an hour: %.1f MB, of which documents %.1f MB\n", hour / 1e6, static_cast<double>(afterHeader) / 1e6);
+    std::printf("an hour: %.1f MB, of which documents %.1f MB\n", hour / 1e6,
+                static_cast<double>(afterHeader) / 1e6);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 
 /// The lesson with one event of its own.
 std::shared_ptr<const World> worldWith(const std::string& when, const std::string& order) {
-    return test::worldOf(test::lessonWith("/events", "[{\"id\": \"e\", \"title\": \"E\", \"when\": " + when + ", \"orders\": [" + order + "]}]"));
+    return test::worldOf(test::lessonWith("/events", "[{\"id\": \"e\", \"title\": \"E\", \"when\": " + when +
+                                                         ", \"orders\": [" + order + "]}]"));
 }
 
 bool happened(const std::vector<Event>& events, EventKind kind) {
@@ -40,10 +41,12 @@ TEST(ScenarioEvents, ByTimeHappensOnceAtItsSecond) {
 }
 
 TEST(ScenarioEvents, ByZoneHappensWhenTheShipIsThere) {
-    const auto near = worldWith(R"({"near": "new_pier", "within_M": 0.05})", R"({"order": "difficulty", "level": 2})");
+    const auto near =
+        worldWith(R"({"near": "new_pier", "within_M": 0.05})", R"({"order": "difficulty", "level": 2})");
     State state = startState(*near, 1);
     EXPECT_TRUE(happened(run(*near, state, 0.1), EventKind::LevelChanged));
-    const auto far = worldWith(R"({"near": "anch_ne_monsoon", "within_M": 0.05})", R"({"order": "difficulty", "level": 2})");
+    const auto far = worldWith(R"({"near": "anch_ne_monsoon", "within_M": 0.05})",
+                               R"({"order": "difficulty", "level": 2})");
     State other = startState(*far, 1);
     EXPECT_FALSE(happened(run(*far, other, 1.0), EventKind::LevelChanged));
 }
@@ -85,11 +88,13 @@ TEST(ScenarioEvents, TargetsAppearStopAndGoByOrder) {
     const auto world = test::lessonWorld();
     State state = startState(*world, 1);
     ASSERT_FALSE(state.targets[10].present);  // the fast craft is for level 4
-    EXPECT_TRUE(happened(run(*world, state, 0.1, {{0, 0, TargetOrder{10, TargetAction::Appear, 0.0}}}), EventKind::TargetAppeared));
+    EXPECT_TRUE(happened(run(*world, state, 0.1, {{0, 0, TargetOrder{10, TargetAction::Appear, 0.0}}}),
+                         EventKind::TargetAppeared));
     EXPECT_TRUE(state.targets[10].present);
     (void)run(*world, state, 120.0, {{0, 0, TargetOrder{1, TargetAction::Stop, 0.0}}});
     EXPECT_NEAR(state.targets[1].speed_mps, 0.0, 1e-3);
-    EXPECT_TRUE(happened(run(*world, state, 0.1, {{0, 0, TargetOrder{10, TargetAction::Remove, 0.0}}}), EventKind::TargetGone));
+    EXPECT_TRUE(happened(run(*world, state, 0.1, {{0, 0, TargetOrder{10, TargetAction::Remove, 0.0}}}),
+                         EventKind::TargetGone));
 }
 
 TEST(ScenarioEvents, AnExerciseEndsAtItsLongestTime) {

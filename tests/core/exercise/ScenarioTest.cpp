@@ -30,18 +30,26 @@ TEST(Scenario, EveryProblemIsReportedAtOnceWithItsPath) {
     text = test::with(text, "/mission/tasks/0/keep", "[\"head\", \"breast\"]");
     text = test::with(text, "/mission/criteria/0/wieght", "3");
     const std::string problems = problemsOf(text);
-    EXPECT_NE(problems.find("lesson.json: weather.wind.speed_kn is \"strong\", expected 0 to 120 kn"), std::string::npos);
-    EXPECT_NE(problems.find("lesson.json: levels has 4, expected 5, one for each difficulty"), std::string::npos);
-    EXPECT_NE(problems.find("lesson.json: ownShips[0].lines[1].bollard is \"np-99\", expected a bollard of area galle"), std::string::npos);
-    EXPECT_NE(problems.find("lesson.json: mission.tasks[0].keep names \"breast\", expected lines of the ship: head, "), std::string::npos);
+    EXPECT_NE(problems.find("lesson.json: weather.wind.speed_kn is \"strong\", expected 0 to 120 kn"),
+              std::string::npos);
+    EXPECT_NE(problems.find("lesson.json: levels has 4, expected 5, one for each difficulty"),
+              std::string::npos);
+    EXPECT_NE(problems.find(
+                  "lesson.json: ownShips[0].lines[1].bollard is \"np-99\", expected a bollard of area galle"),
+              std::string::npos);
+    EXPECT_NE(problems.find(
+                  "lesson.json: mission.tasks[0].keep names \"breast\", expected lines of the ship: head, "),
+              std::string::npos);
     EXPECT_NE(problems.find("lesson.json: mission.criteria[0].wieght is unknown"), std::string::npos);
 }
 
 TEST(Scenario, AMissingVesselOrAreaIsNamed) {
     EXPECT_EQ(problemsOf(lessonWith("/ownShips/0/vessel", "\"titanic\"")),
-              "lesson.json: ownShips[0].vessel names \"titanic\", which is not known, expected the id of vessel in the database");
-    EXPECT_EQ(problemsOf(lessonWith("/area", "\"atlantis\"")),
-              "lesson.json: area names \"atlantis\", which is not known, expected the id of area in the database");
+              "lesson.json: ownShips[0].vessel names \"titanic\", which is not known, expected the id of "
+              "vessel in the database");
+    EXPECT_EQ(
+        problemsOf(lessonWith("/area", "\"atlantis\"")),
+        "lesson.json: area names \"atlantis\", which is not known, expected the id of area in the database");
 }
 
 TEST(Scenario, NotANumberAndNoTextAreRefused) {
@@ -56,7 +64,8 @@ TEST(Scenario, NotANumberAndNoTextAreRefused) {
 
 TEST(Scenario, AnUnknownKindSaysWhatThereIs) {
     EXPECT_EQ(problemsOf(lessonWith("/mission/tasks/0/kind", "\"swim\"")),
-              "lesson.json: mission.tasks[0].kind is \"swim\", expected one of spring-off, clear-of-berth, gate, transit, anchor");
+              "lesson.json: mission.tasks[0].kind is \"swim\", expected one of spring-off, clear-of-berth, "
+              "gate, transit, anchor");
 }
 
 TEST(Scenario, AStartAgroundIsRefusedWithTheClearance) {
@@ -65,18 +74,24 @@ TEST(Scenario, AStartAgroundIsRefusedWithTheClearance) {
     text = test::with(text, "/mission/tasks/0", "");
     text = test::with(text, "/pilot", "[]");
     const auto at = [&](const char* place) {
-        return problemsOf(test::with(test::with(text, "/ownShips/0/at", place), "/ownShips/0/heading_deg", "0"));
+        return problemsOf(
+            test::with(test::with(text, "/ownShips/0/at", place), "/ownShips/0/heading_deg", "0"));
     };
     EXPECT_EQ(at(R"({"lat": 6.0072, "lon": 80.2275})"), "");
-    EXPECT_NE(at(R"({"lat": 6.0262, "lon": 80.2202})").find("lesson.json: ownShips[0] starts aground, under-keel clearance -"), std::string::npos);
-    EXPECT_NE(at(R"({"lat": 6.0290, "lon": 80.2180})").find("lesson.json: ownShips[0] starts on land, expected a place with all of her afloat"),
+    EXPECT_NE(at(R"({"lat": 6.0262, "lon": 80.2202})")
+                  .find("lesson.json: ownShips[0] starts aground, under-keel clearance -"),
+              std::string::npos);
+    EXPECT_NE(at(R"({"lat": 6.0290, "lon": 80.2180})")
+                  .find("lesson.json: ownShips[0] starts on land, expected a place with all of her afloat"),
               std::string::npos);
 }
 
 TEST(Scenario, ShipsThatStartInEachOtherAreRefused) {
-    const std::string boat = R"({"id": "inside", "name": "Inside", "type": "fishing", "behaviour": "lying", "length_m": 10,
+    const std::string boat =
+        R"({"id": "inside", "name": "Inside", "type": "fishing", "behaviour": "lying", "length_m": 10,
         "beam_m": 3, "draught_m": 1, "route": [{"at": {"lat": 6.03188, "lon": 80.23042}}]})";
-    EXPECT_EQ(problemsOf(lessonWith("/traffic/-", boat)), "lesson.json: traffic[12] starts in ownShips[0], expected ships apart");
+    EXPECT_EQ(problemsOf(lessonWith("/traffic/-", boat)),
+              "lesson.json: traffic[12] starts in ownShips[0], expected ships apart");
 }
 
 TEST(Scenario, ProblemsOfItsVesselComeUnderTheVesselsName) {
@@ -88,7 +103,8 @@ TEST(Scenario, ProblemsOfItsVesselComeUnderTheVesselsName) {
 }
 
 TEST(Scenario, ANewerVersionIsRefused) {
-    EXPECT_EQ(problemsOf(lessonWith("/version", "2")), "lesson.json: version is 2, expected a whole number from 1 to 1");
+    EXPECT_EQ(problemsOf(lessonWith("/version", "2")),
+              "lesson.json: version is 2, expected a whole number from 1 to 1");
 }
 
 TEST(Scenario, HoldsSeveralOwnShipsAndManyTargets) {

@@ -30,7 +30,8 @@ TEST(Weather, RampRunsInAStraightLineAndEndsExactly) {
     for (std::int64_t tick = 0; tick <= 50 * kTicksPerSecond; ++tick) runWeather(state, waves, tick);
     EXPECT_NEAR(state.now.wind.speed_mps, 10.0, 1e-9);
     EXPECT_NEAR(wrapPi(state.now.wind.windFrom_rad), 0.0, 1e-9);  // the short way, through north
-    for (std::int64_t tick = 50 * kTicksPerSecond; tick <= 100 * kTicksPerSecond; ++tick) runWeather(state, waves, tick);
+    for (std::int64_t tick = 50 * kTicksPerSecond; tick <= 100 * kTicksPerSecond; ++tick)
+        runWeather(state, waves, tick);
     EXPECT_EQ(state.now.wind.speed_mps, 15.0);
     EXPECT_EQ(state.now.visibility_m, 1000.0);
 }
@@ -72,7 +73,8 @@ TEST(Weather, DifficultyChangesItDuringARunInAMinute) {
     while (state.tick < 61 * kTicksPerSecond) (void)advance(*world, state);
     EXPECT_NEAR(state.weather.now.wind.speed_mps / before, 1.7 / 0.8, 1e-9);
     EXPECT_EQ(state.level, 5);
-    const auto present = std::count_if(state.targets.begin(), state.targets.end(), [](const auto& t) { return t.present; });
+    const auto present =
+        std::count_if(state.targets.begin(), state.targets.end(), [](const auto& t) { return t.present; });
     EXPECT_EQ(present, static_cast<long>(state.targets.size()));
 }
 

@@ -20,7 +20,8 @@ TEST(Blendermann, CoefficientsAgreeWithTheReferenceTable) {
     for (const test::Row& row : test::readReference("environment/blendermann1994_check.csv")) {
         const WindCoefficients c = windCoefficients(windageOf(row), row["Loa"], row["angle"] * kDegree_rad);
         // relative 1e-6 of the file, and of one where the value is a rounding of zero
-        EXPECT_NEAR(c.CX, row["CX"], 1e-6 * std::max(std::abs(row["CX"]), 1.0)) << row.text("type") << row["angle"];
+        EXPECT_NEAR(c.CX, row["CX"], 1e-6 * std::max(std::abs(row["CX"]), 1.0))
+            << row.text("type") << row["angle"];
         EXPECT_NEAR(c.CY, row["CY"], 1e-6);
         EXPECT_NEAR(c.CK, row["CK"], 1e-6 * std::max(std::abs(row["CK"]), 1.0));
         EXPECT_NEAR(c.CN, row["CN"], 1e-6);
@@ -37,12 +38,12 @@ protected:
 };
 
 TEST_F(WindOnPatrol, PushesAwayFromWhereItComes) {
-    EXPECT_LT(load(10, 0, 0).surge_N, 0.0);                                        // on the bow: back
-    EXPECT_GT(load(10, 180, 0).surge_N, 0.0);                                      // from astern: forward
-    EXPECT_LT(load(10, 90, 0).sway_N, 0.0);                                        // on the starboard side: to port
-    EXPECT_LT(load(10, 90, 0).roll_Nm, 0.0);                                       // and heels to port
-    EXPECT_GT(load(10, 315, 0).yaw_Nm, 0.0);                                       // on the port bow: bow to starboard
-    EXPECT_NEAR(load(10, 60, 20).sway_N, load(10, 40, 0).sway_N, 1e-9);            // only the relative direction counts
+    EXPECT_LT(load(10, 0, 0).surge_N, 0.0);                              // on the bow: back
+    EXPECT_GT(load(10, 180, 0).surge_N, 0.0);                            // from astern: forward
+    EXPECT_LT(load(10, 90, 0).sway_N, 0.0);                              // on the starboard side: to port
+    EXPECT_LT(load(10, 90, 0).roll_Nm, 0.0);                             // and heels to port
+    EXPECT_GT(load(10, 315, 0).yaw_Nm, 0.0);                             // on the port bow: bow to starboard
+    EXPECT_NEAR(load(10, 60, 20).sway_N, load(10, 40, 0).sway_N, 1e-9);  // only the relative direction counts
     EXPECT_NEAR(load(10, 40, 0).sway_N, -load(10, -40, 0).sway_N, 1e-9);
 }
 
@@ -71,8 +72,10 @@ TEST(CrossFlow, PureSwayAndPureSwingHaveTheirClosedForms) {
 
 TEST(Propeller, EssoOsakaThrustIsTheReferences) {
     const Vessel vessel = loadVessel("esso-osaka.json", test::readAsset("vessels/esso-osaka.json")).value();
-    const double thrust_N = openWaterThrust_N(vessel.propulsion.units[0], 51.0 / 60.0, 10 * kKnot_mps, 1025.0);
-    EXPECT_NEAR(thrust_N / 1'430'126.0, 1.0, 0.001);  // esso_osaka_particulars.json, self-consistency at 10 kn
+    const double thrust_N =
+        openWaterThrust_N(vessel.propulsion.units[0], 51.0 / 60.0, 10 * kKnot_mps, 1025.0);
+    EXPECT_NEAR(thrust_N / 1'430'126.0, 1.0,
+                0.001);  // esso_osaka_particulars.json, self-consistency at 10 kn
 }
 
 TEST(Propeller, PushesTheRightWayInEveryQuadrant) {
@@ -80,9 +83,9 @@ TEST(Propeller, PushesTheRightWayInEveryQuadrant) {
     const PropulsionUnit& unit = vessel.propulsion.units[0];
     const auto thrust = [&](double rps, double u) { return openWaterThrust_N(unit, rps, u, 1025.0); };
     EXPECT_GT(thrust(3, 0), 0.0);
-    EXPECT_GT(thrust(3, -2), thrust(3, 0));    // ahead with sternway: more
-    EXPECT_LT(thrust(3, 3), thrust(3, 0));     // ahead with headway: less
-    EXPECT_LT(thrust(3, 8), 0.0);              // dragged
+    EXPECT_GT(thrust(3, -2), thrust(3, 0));  // ahead with sternway: more
+    EXPECT_LT(thrust(3, 3), thrust(3, 0));   // ahead with headway: less
+    EXPECT_LT(thrust(3, 8), 0.0);            // dragged
     EXPECT_LT(thrust(-3, 0), 0.0);
     EXPECT_EQ(thrust(-3, 4), thrust(-3, 0));   // astern with headway: as at rest
     EXPECT_GT(thrust(-3, -2), thrust(-3, 0));  // astern with sternway: less
@@ -91,7 +94,8 @@ TEST(Propeller, PushesTheRightWayInEveryQuadrant) {
 }
 
 TEST(Squat, IsBarrassInShallowWaterAndNothingInDeep) {
-    EXPECT_NEAR(squat_m(0.831, 5 * kKnot_mps, 26.08, 21.73), 0.20775, 1e-9);  // squat_check.csv, barrass_simple
+    EXPECT_NEAR(squat_m(0.831, 5 * kKnot_mps, 26.08, 21.73), 0.20775,
+                1e-9);  // squat_check.csv, barrass_simple
     EXPECT_EQ(squat_m(0.831, 5 * kKnot_mps, 80.0, 21.73), 0.0);
 }
 

@@ -33,7 +33,8 @@ protected:
         const double most = vessel.steering.rate_radps * kStep_s;
         const double next_rad = rudder_rad + std::clamp(order_rad - rudder_rad, -most, most);
         const Actuators actuators{0.5 * (rudder_rad + next_rad), {shaft_rps, shaft_rps}};
-        motion = rk4Step(motion, kStep_s, [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
+        motion = rk4Step(motion, kStep_s,
+                         [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
         rudder_rad = next_rad;
         time_s += kStep_s;
     }
@@ -64,7 +65,8 @@ TEST_F(Patrol51, ZigzagIsThePublishedModels) {
         }
         ASSERT_LE(position_m(row), 0.002 * 51.5) << time_s;
         ASSERT_NEAR(motion.roll_rad / kDegree_rad, row["phi"], 0.1) << time_s;
-        worstHeading_deg = std::max(worstHeading_deg, std::abs(motion.heading_rad / kDegree_rad - row["psi"]));
+        worstHeading_deg =
+            std::max(worstHeading_deg, std::abs(motion.heading_rad / kDegree_rad - row["psi"]));
     }
     EXPECT_LE(worstHeading_deg, 0.2);
 }
@@ -130,7 +132,8 @@ TEST_F(Patrol51, ExtensionIsExactlyZeroInThePublishedRange) {
         m.yawRate_radps = 0.03;
         m.roll_rad = -0.05;
         const Actuators actuators{0.2, {3.0, 5.0}};
-        const PlanarAcceleration a = model.acceleration(m, actuators, {}), b = bare.acceleration(m, actuators, {});
+        const PlanarAcceleration a = model.acceleration(m, actuators, {}),
+                                 b = bare.acceleration(m, actuators, {});
         EXPECT_EQ(a.surge_mps2, b.surge_mps2) << u;
         EXPECT_EQ(a.sway_mps2, b.sway_mps2) << u;
         EXPECT_EQ(a.yaw_radps2, b.yaw_radps2) << u;
@@ -171,7 +174,8 @@ TEST_F(Patrol51, BacksWhenTheShaftsGoAsternAndStopsInAFewLengths) {
         if (motion.surge_mps > 0.0) headReach_m = motion.north_m;
     }
     EXPECT_LT(motion.surge_mps, -1.5);
-    // Full astern from 15.5 kn. Resistance alone takes off 0.33 m/s2; trend only: light craft stop in 2 to 8 lengths.
+    // Full astern from 15.5 kn. Resistance alone takes off 0.33 m/s2; trend only: light craft stop in 2 to 8
+    // lengths.
     EXPECT_GT(headReach_m, 2.0 * 51.5);
     EXPECT_LT(headReach_m, 8.0 * 51.5);
 }
@@ -180,7 +184,8 @@ TEST_F(Patrol51, TurnsOnTheSpotWithTheScrewsOpposed) {
     motion.surge_mps = 0.0;
     for (int i = 0; i < 100 * 90; ++i) {  // port ahead, starboard astern: bow to starboard
         const Actuators actuators{0.0, {2.6, -3.2}};
-        motion = rk4Step(motion, kStep_s, [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
+        motion = rk4Step(motion, kStep_s,
+                         [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
     }
     EXPECT_GT(motion.heading_rad, 40.0 * kDegree_rad);
     EXPECT_LT(length(motion.position()), 51.5 / 2);
@@ -207,7 +212,9 @@ TEST_F(Patrol51, HalfTheStepIsASixteenthOfTheError) {
         m.surge_mps = 8.0;
         const int steps = static_cast<int>(std::lround(20.0 / dt));
         for (int i = 0; i < steps; ++i) {
-            m = rk4Step(m, dt, [&](const ShipMotion& x) { return ship.derivative(x, {0.3, {7.0, 7.0}}, {}, {}, {}); });
+            m = rk4Step(m, dt, [&](const ShipMotion& x) {
+                return ship.derivative(x, {0.3, {7.0, 7.0}}, {}, {}, {});
+            });
         }
         return m.heading_rad;
     };

@@ -9,12 +9,14 @@
 namespace sagara::core {
 namespace {
 
-Vessel essoOsaka() { return loadVessel("esso-osaka.json", test::readAsset("vessels/esso-osaka.json")).value(); }
+Vessel essoOsaka() {
+    return loadVessel("esso-osaka.json", test::readAsset("vessels/esso-osaka.json")).value();
+}
 
 TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
     Vessel vessel = essoOsaka();
     SandaruwanModel& model = std::get<SandaruwanModel>(vessel.model);
-    model.scalesWithSpeed = false;          // the reference keeps K and tau of the first speed
+    model.scalesWithSpeed = false;  // the reference keeps K and tau of the first speed
     vessel.hull.displacement_m3 = 3.194e8 / vessel.hull.waterDensity_kgpm3;
     const SandaruwanShip ship(model, vessel);
     const Load thrust{.surge_N = 1.14381e6};  // constant in the reference
@@ -48,7 +50,8 @@ TEST(Sandaruwan, ThrustAt51RpmAnd10KnotsIsTheAuditsNotThePapers) {
     const SandaruwanShip ship(std::get<SandaruwanModel>(vessel.model), vessel);
     ShipMotion m;
     m.surge_mps = 5.1444;
-    const double balance = ship.acceleration(m, {0.0, {51.0 / 60.0}}, {}).surge_mps2 * 3.354e8;  // N, of 1.14 MN
+    const double balance =
+        ship.acceleration(m, {0.0, {51.0 / 60.0}}, {}).surge_mps2 * 3.354e8;  // N, of 1.14 MN
     EXPECT_NEAR(balance, 0.0, 0.01 * 1.144e6);
 }
 
@@ -58,12 +61,16 @@ TEST(Sandaruwan, StartsFromRestAndKeepsStillWithoutThrust) {
     const ShipDynamics ship(vessel, waves);
     ShipMotion m;
     for (int i = 0; i < 50 * 600; ++i) {
-        m = rk4Step(m, 0.02, [&](const ShipMotion& x) { return ship.derivative(x, {0.2, {0.85}}, {}, {}, {}); });
+        m = rk4Step(m, 0.02, [&](const ShipMotion& x) {
+            return ship.derivative(x, {0.2, {0.85}}, {}, {}, {});
+        });
     }
     EXPECT_GT(m.surge_mps, 2.5);
     EXPECT_GT(m.heading_rad, 0.0);
     ShipMotion still;
-    still = rk4Step(still, 0.02, [&](const ShipMotion& x) { return ship.derivative(x, {0.2, {}}, {}, {}, {}); });
+    still = rk4Step(still, 0.02, [&](const ShipMotion& x) {
+        return ship.derivative(x, {0.2, {}}, {}, {}, {});
+    });
     EXPECT_EQ(still.surge_mps, 0.0);
     EXPECT_EQ(still.heading_rad, 0.0);
 }

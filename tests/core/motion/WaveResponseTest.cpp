@@ -82,10 +82,12 @@ Amplitudes respond(const Vessel& vessel, const RegularWave& wave, double heading
     return most;
 }
 
-double slope(const RegularWave& wave) { return wave.amplitude_m * wave.omega_radps * wave.omega_radps / kGravity_mps2; }
+double slope(const RegularWave& wave) {
+    return wave.amplitude_m * wave.omega_radps * wave.omega_radps / kGravity_mps2;
+}
 
-/// A wave of ten natural periods: dynamic amplification is 1 / (1 - 1/100), so 1 within 1.1 % (heave and pitch have damping
-/// and added mass that follow the water, which brings them closer).
+/// A wave of ten natural periods: dynamic amplification is 1 / (1 - 1/100), so 1 within 1.1 % (heave and
+/// pitch have damping and added mass that follow the water, which brings them closer).
 TEST(LongWaves, CarryThePatrolVesselLikeACork) {
     const Vessel vessel = loadVessel("patrol51.json", test::readAsset("vessels/patrol51.json")).value();
     const RegularWave wave(57.0, 0.4, 1.0);

@@ -29,7 +29,8 @@ double measuredHs_m(const SeaSurface& surface, int samples) {
     double sum2 = 0.0;
     for (int i = 0; i < samples; ++i) {
         const NorthEast p{1200.0 * random.uniform(), 1200.0 * random.uniform()};
-        const double z = surface.elevation_m(p, SimTime::fromSeconds(static_cast<std::int64_t>(random.next() % 10'000)));
+        const double z =
+            surface.elevation_m(p, SimTime::fromSeconds(static_cast<std::int64_t>(random.next() % 10'000)));
         sum2 += z * z;
     }
     return 4.0 * std::sqrt(sum2 / samples);
@@ -43,7 +44,8 @@ TEST(SeaSurface, SignificantHeightIsWithin3PercentAtEveryBeaufortNumber) {
         double exact_m2 = 0.0;
         for (const auto& wave : surface.waves()) exact_m2 += 0.5 * wave.amplitude_m * wave.amplitude_m;
         EXPECT_NEAR(4.0 * std::sqrt(exact_m2) / wind->significantHeight_m, 1.0, 1e-9) << number;
-        // 3 % is the figure asked for; 4000 independent samples give the variance to 2.2 %, the height to 1.1 %
+        // 3 % is the figure asked for; 4000 independent samples give the variance to 2.2 %, the height to 1.1
+        // %
         EXPECT_NEAR(measuredHs_m(surface, 4000) / wind->significantHeight_m, 1.0, 0.03) << number;
     }
 }
@@ -105,7 +107,8 @@ TEST(WaveTable, EveryComponentIsAPointOfItsLatticeAndNoPointCarriesTwo) {
         EXPECT_LT(std::max(std::abs(i), std::abs(j)), kLatticeSize / 2);
         EXPECT_TRUE(seen.emplace(c.band, std::lround(i), std::lround(j)).second);
         EXPECT_NEAR(c.omega_radps,
-                    angularFrequency_radps(std::hypot(c.kNorth_radpm, c.kEast_radpm), 20.0, kGravity_mps2), 1e-12);
+                    angularFrequency_radps(std::hypot(c.kNorth_radpm, c.kEast_radpm), 20.0, kGravity_mps2),
+                    1e-12);
     }
 }
 
@@ -122,16 +125,20 @@ TEST(WaveTable, MeanDirectionOfTravelIsTheOneAsked) {
             const NorthEast k{c.kNorth_radpm, c.kEast_radpm};
             mean = mean + (energy_m2[i] / length(k)) * k;
         }
-        // A 150 m wave is eight lattice steps long, so single points are 7 deg apart; the mean of a train is closer.
-        EXPECT_NEAR(std::remainder(bearing_rad({}, mean) - swell.wavesTo_rad, kTwoPi), 0.0, 3.0 * kDegree_rad);
+        // A 150 m wave is eight lattice steps long, so single points are 7 deg apart; the mean of a train is
+        // closer.
+        EXPECT_NEAR(std::remainder(bearing_rad({}, mean) - swell.wavesTo_rad, kTwoPi), 0.0,
+                    3.0 * kDegree_rad);
     }
 }
 
 TEST(SeaState, SameSeedGivesTheSameBytesAndAnotherSeedAnotherSea) {
     const WaveTable a(1, 20.0), b(1, 20.0), c(2, 20.0);
     EXPECT_EQ(archiveHash(seaOf(a, {kSwell})), archiveHash(seaOf(b, {kSwell})));
-    EXPECT_EQ(SeaSurface(a, seaOf(a, {kSwell})).elevation_m({1, 2}, {}), SeaSurface(b, seaOf(b, {kSwell})).elevation_m({1, 2}, {}));
-    EXPECT_NE(SeaSurface(a, seaOf(a, {kSwell})).elevation_m({1, 2}, {}), SeaSurface(c, seaOf(c, {kSwell})).elevation_m({1, 2}, {}));
+    EXPECT_EQ(SeaSurface(a, seaOf(a, {kSwell})).elevation_m({1, 2}, {}),
+              SeaSurface(b, seaOf(b, {kSwell})).elevation_m({1, 2}, {}));
+    EXPECT_NE(SeaSurface(a, seaOf(a, {kSwell})).elevation_m({1, 2}, {}),
+              SeaSurface(c, seaOf(c, {kSwell})).elevation_m({1, 2}, {}));
 }
 
 TEST(SeaState, NoSystemsNoWaves) {

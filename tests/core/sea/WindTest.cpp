@@ -21,7 +21,7 @@ TEST(Wind, GustsHaveTheStatedSpreadAboutTheMean) {
         sum2 += speed * speed;
     }
     const double mean = sum / samples;
-    EXPECT_NEAR(mean, 4.5, 0.02);                                                // 200 cycles of the slowest harmonic
+    EXPECT_NEAR(mean, 4.5, 0.02);  // 200 cycles of the slowest harmonic
     EXPECT_NEAR(std::sqrt(sum2 / samples - mean * mean), 0.15 * 4.5, 0.02);
 }
 
@@ -34,7 +34,8 @@ TEST(Wind, SteadyWindHasNoGusts) {
 
 TEST(Wind, NeverBlowsBackwards) {
     const GustTable gusts(2);
-    for (int i = 0; i < 5000; ++i) EXPECT_GE(gusts.at({5.0, 0.0, 0.6}, SimTime::fromSeconds(i)).speed_mps, 0.0);
+    for (int i = 0; i < 5000; ++i)
+        EXPECT_GE(gusts.at({5.0, 0.0, 0.6}, SimTime::fromSeconds(i)).speed_mps, 0.0);
 }
 
 }  // namespace

@@ -27,17 +27,21 @@ std::string problemsOf(const std::string& text) {
 
 class ShippedVessel : public ::testing::TestWithParam<const char*> {};
 TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
-    const auto vessel = loadVessel(GetParam(), test::readAsset(std::string("vessels/") + GetParam() + ".json"));
+    const auto vessel =
+        loadVessel(GetParam(), test::readAsset(std::string("vessels/") + GetParam() + ".json"));
     ASSERT_TRUE(vessel) << vessel.error().text();
     EXPECT_EQ(vessel->id, GetParam());
-    for (const Provenance* p : {&vessel->hull.provenance, &vessel->seakeeping.provenance, &vessel->propulsion.provenance,
-                                &vessel->steering.provenance, &vessel->windage.provenance,
-                                &vessel->mooring.provenance, &vessel->groundTackle.provenance}) {
+    for (const Provenance* p :
+         {&vessel->hull.provenance, &vessel->seakeeping.provenance, &vessel->propulsion.provenance,
+          &vessel->steering.provenance, &vessel->windage.provenance, &vessel->mooring.provenance,
+          &vessel->groundTackle.provenance}) {
         EXPECT_GT(p->source.size(), 10u);
     }
 }
 INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel, ::testing::Values("patrol51", "esso-osaka"),
-                         [](const auto& row) { return std::regex_replace(std::string(row.param), std::regex("-"), "_"); });
+                         [](const auto& row) {
+                             return std::regex_replace(std::string(row.param), std::regex("-"), "_");
+                         });
 
 TEST(Vessel, UnitsAreConvertedOnTheWayIn) {
     const Vessel v = loadVessel("patrol51", patrol()).value();
@@ -53,15 +57,19 @@ TEST(Vessel, WrongValuesAreAllNamedWithTheirPath) {
     text = replaced(text, "\"diameter_m\": 1.6", "\"diameter_m\": -1.6");
     text = replaced(text, "\"limit_deg\": 35.0", "\"limmit_deg\": 35.0");
     const std::string problems = problemsOf(text);
-    EXPECT_NE(problems.find("v.json: hull.beam_m is \"wide\", expected 1 to 80 m"), std::string::npos) << problems;
-    EXPECT_NE(problems.find("v.json: propulsion.units[0].diameter_m is -1.6, expected 0.1 to 15 m"), std::string::npos);
-    EXPECT_NE(problems.find("v.json: steering.limit_deg is missing, expected 10 to 70 deg"), std::string::npos);
+    EXPECT_NE(problems.find("v.json: hull.beam_m is \"wide\", expected 1 to 80 m"), std::string::npos)
+        << problems;
+    EXPECT_NE(problems.find("v.json: propulsion.units[0].diameter_m is -1.6, expected 0.1 to 15 m"),
+              std::string::npos);
+    EXPECT_NE(problems.find("v.json: steering.limit_deg is missing, expected 10 to 70 deg"),
+              std::string::npos);
     EXPECT_NE(problems.find("v.json: steering.limmit_deg is unknown"), std::string::npos);
 }
 
 TEST(Vessel, PhysicalNonsenseIsRefusedWithTheNumbers) {
     EXPECT_EQ(problemsOf(replaced(patrol(), "\"displacement_m3\": 357.0", "\"displacement_m3\": 3570.0")),
-              "v.json: hull.displacement_m3 is 3570, a block coefficient of 3.505 with the other particulars, expected "
+              "v.json: hull.displacement_m3 is 3570, a block coefficient of 3.505 with the other "
+              "particulars, expected "
               "0.2 to 1");
     EXPECT_NE(problemsOf(replaced(patrol(), "\"slowAhead\": 156", "\"slowAhead\": 100"))
                   .find("telegraph_rpm.slowAhead is 100, expected more than the step below it, 102 rpm"),
@@ -72,12 +80,14 @@ TEST(Vessel, PhysicalNonsenseIsRefusedWithTheNumbers) {
 }
 
 TEST(Vessel, ATermThatIsNotAProductIsRefused) {
-    EXPECT_NE(problemsOf(replaced(patrol(), "\"of\": \"phi^3\"", "\"of\": \"phi^9\"")).find("is \"phi^9\", expected up to four"),
+    EXPECT_NE(problemsOf(replaced(patrol(), "\"of\": \"phi^3\"", "\"of\": \"phi^9\""))
+                  .find("is \"phi^9\", expected up to four"),
               std::string::npos);
     std::array<PolynomialTerm::Factor, 4> f{};
     EXPECT_TRUE(parseFactors("phi u^2", f));
     EXPECT_EQ(f[2], PolynomialTerm::Factor::Surge);
-    for (const char* bad : {"", "w", "u u u u u", "u^", "u^5", "|u", "u*v"}) EXPECT_FALSE(parseFactors(bad, f)) << bad;
+    for (const char* bad : {"", "w", "u u u u u", "u^", "u^5", "|u", "u*v"})
+        EXPECT_FALSE(parseFactors(bad, f)) << bad;
 }
 
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {

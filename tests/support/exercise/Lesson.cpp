@@ -12,9 +12,12 @@ using nlohmann::json;
 std::optional<std::string> TreeSource::find(core::DocumentKind kind, const std::string& id) const {
     try {
         switch (kind) {
-            case core::DocumentKind::Vessel: return readAsset("vessels/" + id + ".json");
-            case core::DocumentKind::Area: return readAsset("areas/" + id + "/area.json");
-            case core::DocumentKind::Scenario: return readAsset("scenarios/" + id + ".json");
+            case core::DocumentKind::Vessel:
+                return readAsset("vessels/" + id + ".json");
+            case core::DocumentKind::Area:
+                return readAsset("areas/" + id + "/area.json");
+            case core::DocumentKind::Scenario:
+                return readAsset("scenarios/" + id + ".json");
         }
     } catch (const std::runtime_error&) {
     }
@@ -38,7 +41,9 @@ std::string with(const std::string& text, const std::string& pointer, const std:
     return document.dump();
 }
 
-std::string lessonWith(const std::string& pointer, const std::string& value) { return with(lessonText(), pointer, value); }
+std::string lessonWith(const std::string& pointer, const std::string& value) {
+    return with(lessonText(), pointer, value);
+}
 
 core::ExerciseDocuments documentsOf(const std::string& scenarioText) {
     auto documents = core::collectDocuments({"lesson.json", scenarioText}, TreeSource());
@@ -69,17 +74,27 @@ std::string openWaterScenario(int ownShips, int targets) {
     s["mission"]["criteria"] = json::array();
     s["ownShips"] = json::array();
     for (int i = 0; i < ownShips; ++i) {
-        s["ownShips"].push_back({{"id", "own-" + std::to_string(i)}, {"name", "Own"}, {"vessel", "patrol51"}, {"heading_deg", 225},
-                                 {"speed_kn", 12}, {"at", {{"lat", 5.995 - 0.004 * i}, {"lon", 80.215}}}});
+        s["ownShips"].push_back({{"id", "own-" + std::to_string(i)},
+                                 {"name", "Own"},
+                                 {"vessel", "patrol51"},
+                                 {"heading_deg", 225},
+                                 {"speed_kn", 12},
+                                 {"at", {{"lat", 5.995 - 0.004 * i}, {"lon", 80.215}}}});
     }
     s["traffic"] = json::array();
     for (int i = 0; i < targets; ++i) {
         const double lat = 5.99 - 0.003 * (i % 5), lon = 80.19 + 0.01 * (i / 5);
-        s["traffic"].push_back({{"id", "target-" + std::to_string(i)}, {"name", "Target"}, {"type", "coaster"}, {"behaviour", "circuit"},
-                                {"length_m", 60}, {"beam_m", 10}, {"draught_m", 4},
-                                {"route", {{{"at", {{"lat", lat}, {"lon", lon}}}, {"speed_kn", 9}},
-                                           {{"at", {{"lat", lat - 0.01}, {"lon", lon + 0.02}}}, {"speed_kn", 9}},
-                                           {{"at", {{"lat", lat - 0.02}, {"lon", lon}}}, {"speed_kn", 9}}}}});
+        s["traffic"].push_back({{"id", "target-" + std::to_string(i)},
+                                {"name", "Target"},
+                                {"type", "coaster"},
+                                {"behaviour", "circuit"},
+                                {"length_m", 60},
+                                {"beam_m", 10},
+                                {"draught_m", 4},
+                                {"route",
+                                 {{{"at", {{"lat", lat}, {"lon", lon}}}, {"speed_kn", 9}},
+                                  {{"at", {{"lat", lat - 0.01}, {"lon", lon + 0.02}}}, {"speed_kn", 9}},
+                                  {{"at", {{"lat", lat - 0.02}, {"lon", lon}}}, {"speed_kn", 9}}}}});
     }
     return s.dump();
 }

@@ -16,8 +16,8 @@ public:
 
 /// Text of the shipped lesson.
 std::string lessonText();
-/// The lesson with a part replaced: JSON pointer and new value as JSON, for example ("/level", "3"). An empty value
-/// removes the part.
+/// The lesson with a part replaced: JSON pointer and new value as JSON, for example ("/level", "3"). An empty
+/// value removes the part.
 std::string lessonWith(const std::string& pointer, const std::string& json);
 std::string with(const std::string& text, const std::string& pointer, const std::string& json);
 

@@ -129,7 +129,8 @@ TEST(Contours, GalleTenMetreLinePassesBetweenNineAndElevenMetres) {
     for (int i = 0; i < 20000; ++i) {
         const NorthEast a{-4000.0 + 5500.0 * random.uniform(), -4500.0 + 6000.0 * random.uniform()};
         const NorthEast b = a + 500.0 * random.uniform() * core::unitVector(core::kTwoPi * random.uniform());
-        const bool nine = std::abs(area.depth_m(a) - 9.0) < 0.3, eleven = std::abs(area.depth_m(b) - 11.0) < 0.3;
+        const bool nine = std::abs(area.depth_m(a) - 9.0) < 0.3,
+                   eleven = std::abs(area.depth_m(b) - 11.0) < 0.3;
         if (!nine || !eleven) continue;
         ++pairs;
         EXPECT_TRUE(crossesAny(contours[0].lines, a, b)) << a.north_m << " " << a.east_m;
