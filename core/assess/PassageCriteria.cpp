@@ -43,21 +43,23 @@ private:
     double m_from_m;
 };
 
+constexpr double kNone_mps = 1e9;  // where no zone holds
+
 class SpeedLimitCriterion final : public EpisodeCriterion {
 public:
     SpeedLimitCriterion(Terms terms, std::vector<SpeedZone> zones)
         : EpisodeCriterion(std::move(terms)), m_zones(std::move(zones)) {}
     Display display() const override { return {"speed over ground", kKnot_mps, "kn"}; }
     void narrow(Limits& limits, const Observation& now, const RouteProgress& route) const override {
-        const double here_mps = lowestSpeed_mps(m_zones, now.position, route.leg, 0.0);
-        if (here_mps == 0.0) return;
+        const double here_mps = lowestSpeed_mps(m_zones, now.position, route.leg, kNone_mps);
+        if (here_mps == kNone_mps) return;
         const double other_mps = limits.speedOverGround_mps;
         limits.speedOverGround_mps = other_mps == 0.0 ? here_mps : std::min(other_mps, here_mps);
     }
 
 protected:
     Measure measure(const Observation& now, const RouteProgress& route, CriterionMemory&) const override {
-        const double limit_mps = lowestSpeed_mps(m_zones, now.position, route.leg, 1e9);
+        const double limit_mps = lowestSpeed_mps(m_zones, now.position, route.leg, kNone_mps);
         constexpr double kPen_mps = 0.1 * kKnot_mps;  // the display has one decimal
         const double speed_mps = length(now.overGround_mps);
         return {speed_mps > limit_mps + kPen_mps, speed_mps, limit_mps, speed_mps - limit_mps};
