@@ -151,6 +151,14 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
     }
 }
 
+/// Mass that a blow at a point along a line has to stop. A blow off the middle turns the ship instead of stopping her: broadside
+/// the share k^2 / (k^2 + x^2), k = L/4.
+double stoppedMass_kg(const ContactHull& hull, BodyPoint where, BodyPoint along) {
+    const double lever_m = where.x_m * along.y_m - where.y_m * along.x_m;
+    const double turning = 16.0 * lever_m * lever_m / (hull.length_m * hull.length_m);
+    return 1.0 / (along.x_m * along.x_m / hull.mass_kg + (along.y_m * along.y_m + turning) / hull.lateralMass_kg);
+}
+
 template <typename Visit>
 void visitAll(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
     visitShore(obstacles, hull, frame, visit);
@@ -172,7 +180,7 @@ const char* contactKindName(ContactKind kind) {
 }
 
 ContactHull contactHull(const Hull& hull, double lateralMass_kg) {
-    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m), 0.0, hull.lengthOverall_m, lateralMass_kg};
+    ContactHull c{outlineOf(hull.lengthOverall_m, hull.beam_m), 0.0, hull.lengthOverall_m, hull.mass_kg(), lateralMass_kg};
     for (const BodyPoint& p : c.outline) c.radius_m = std::max(c.radius_m, std::hypot(p.x_m, p.y_m));
     return c;
 }
@@ -250,9 +258,7 @@ Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const S
         const NorthEast velocity = frame.vector(velocityAt(m, point.where)) + current - point.otherVelocity;
         const double closing_mps = -dot(velocity, point.away);
         if (touch.touching && closing_mps <= touch.approach_mps) return;
-        // A blow off the middle turns the ship instead of stopping her: share k^2 / (k^2 + x^2), k = L/4.
-        const double k2 = hull.length_m * hull.length_m / 16.0;
-        const double own_kg = hull.lateralMass_kg * k2 / (k2 + point.where.x_m * point.where.x_m);
+        const double own_kg = stoppedMass_kg(hull, point.where, frame.vectorInBody(point.away));
         const double mass_kg = point.otherMass_kg > 0.0 ? own_kg * point.otherMass_kg / (own_kg + point.otherMass_kg) : own_kg;
         const double speed_mps = std::max(0.0, closing_mps);
         touch = {true, frame.point(point.where), closing_mps, 0.5 * mass_kg * speed_mps * speed_mps, point.other};
