@@ -126,14 +126,30 @@ void visitFenders(const Obstacles& obstacles, const ContactHull& hull, const Hea
     }
 }
 
+/// The box about an outline: most points are outside and need no closer look.
+struct Box {
+    explicit Box(std::span<const BodyPoint> outline) {
+        for (const BodyPoint& p : outline) {
+            low = {std::min(low.x_m, p.x_m), std::min(low.y_m, p.y_m)};
+            high = {std::max(high.x_m, p.x_m), std::max(high.y_m, p.y_m)};
+        }
+    }
+    bool holds(BodyPoint p) const { return p.x_m > low.x_m && p.x_m < high.x_m && p.y_m > low.y_m && p.y_m < high.y_m; }
+    BodyPoint low{1e9, 1e9}, high{-1e9, -1e9};
+};
+
 template <typename Visit>
 void visitShips(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
+    const Box ownBox(hull.outline);
     std::size_t body = kFirstShipBody;
     for (const ShipObstacle& ship : obstacles.ships) {
         const auto [stiffness, damping] = hardContact(std::min(hull.lateralMass_kg, ship.mass_kg));
         const HeadingFrame theirs(ship.position, ship.heading_rad);
+        const Box theirBox(ship.outline);
         for (const BodyPoint& vertex : hull.outline) {
-            const OutlineHit hit = hitOutline(ship.outline, theirs.pointInBody(frame.point(vertex)));
+            const BodyPoint p = theirs.pointInBody(frame.point(vertex));
+            if (!theirBox.holds(p)) continue;
+            const OutlineHit hit = hitOutline(ship.outline, p);
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const NorthEast away = theirs.point(hit.nearest) - frame.point(vertex);
             visit(Point{ContactKind::Ship, vertex, (1.0 / hit.distance_m) * away, hit.distance_m, stiffness, damping,
@@ -141,6 +157,7 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
         }
         for (const BodyPoint& vertex : ship.outline) {
             const BodyPoint p = frame.pointInBody(theirs.point(vertex));
+            if (!ownBox.holds(p)) continue;
             const OutlineHit hit = hitOutline(hull.outline, p);
             if (!hit.inside || hit.distance_m < 1e-6) continue;
             const BodyPoint inward{(p.x_m - hit.nearest.x_m) / hit.distance_m, (p.y_m - hit.nearest.y_m) / hit.distance_m};
