@@ -13,7 +13,7 @@ constexpr double kBlow_radps = 6.0;   // natural frequency of a hard contact
 constexpr double kHardDamping = 0.4;  // of critical
 constexpr double kFenderDamping = 0.15;
 constexpr double kFriction = 0.3;
-constexpr double kFrictionSpeed_mps = 0.05;  // friction is whole above this sliding speed
+constexpr double kFrictionSpeed_mps = 0.05;  // half of the friction at this sliding speed, more above
 
 /// One overlapping point.
 struct Point {
@@ -181,6 +181,15 @@ void visitShips(const Obstacles& obstacles, const ContactHull& hull, const Headi
     }
 }
 
+/// Mass that a blow at a point along a line has to stop. A blow off the middle turns the ship instead of
+/// stopping her: broadside the share k^2 / (k^2 + x^2), k = L/4.
+double stoppedMass_kg(const ContactHull& hull, BodyPoint where, BodyPoint along) {
+    const double lever_m = where.x_m * along.y_m - where.y_m * along.x_m;
+    const double turning = 16.0 * lever_m * lever_m / (hull.length_m * hull.length_m);
+    return 1.0 /
+           (along.x_m * along.x_m / hull.mass_kg + (along.y_m * along.y_m + turning) / hull.lateralMass_kg);
+}
+
 template <typename Visit>
 void visitAll(const Obstacles& obstacles, const ContactHull& hull, const HeadingFrame& frame, Visit&& visit) {
     visitShore(obstacles, hull, frame, visit);
@@ -211,6 +220,7 @@ ContactHull contactHull(const Hull& hull, double lateralMass_kg) {
                   0.0,
                   {0.5 * hull.lengthOverall_m, 0.5 * hull.beam_m},
                   hull.lengthOverall_m,
+                  hull.mass_kg(),
                   lateralMass_kg};
     for (const BodyPoint& p : c.outline) c.radius_m = std::max(c.radius_m, std::hypot(p.x_m, p.y_m));
     return c;
@@ -218,31 +228,30 @@ ContactHull contactHull(const Hull& hull, double lateralMass_kg) {
 
 void findObstacles(const Area& area, const ContactHull& hull, const ShipMotion& m, Obstacles& found) {
     const double reach_m = hull.radius_m + kReach_m;
-    Obstacles::List<const Shore::Piece*, 256> pieces;
+    const HeadingFrame frame(m.position(), m.heading_rad);
+    bool shoreNear = false;
     area.shore.near(m.position(), reach_m, [&](const Shore::Piece& piece) {
         if (distanceTo(piece.segment, m.position()) > reach_m) return;
-        if (std::find(pieces.begin(), pieces.end(), &piece) == pieces.end()) pieces.add(&piece);
+        shoreNear = true;
+        const BodyPoint corner = frame.pointInBody(piece.segment.a);
+        if (!inBox(corner, hull.halfSize, kReach_m) ||
+            hitOutline(hull.outline, corner).distance_m >= kReach_m)
+            return;
+        const bool known =
+            std::any_of(found.corners.begin(), found.corners.end(),
+                        [&](const Obstacles::NearCorner& other) { return other.piece == &piece; });
+        if (!known) found.corners.add({&piece, kindOf(area.shore.lines()[piece.line].kind)});
     });
-    const HeadingFrame frame(m.position(), m.heading_rad);
-    if (pieces.count > 0) {
-        for (std::uint32_t i = 0; i < hull.outline.size(); ++i) {
-            const NorthEast p = frame.point(hull.outline[i]);
-            const Shore::Piece* nearest = nullptr;
-            double nearest_m = kDeepest_m;
-            for (const Shore::Piece* piece : pieces) {
-                const double d_m = distanceTo(piece->segment, p);
-                if (d_m < nearest_m) nearest_m = d_m, nearest = piece;
-            }
-            if (!nearest || Shore::offset(*nearest, p).distance_m > kReach_m) continue;
-            found.shore.add({i, nearest, kindOf(area.shore.lines()[nearest->line].kind)});
-        }
-        for (const Shore::Piece* piece : pieces) {
-            const BodyPoint corner = frame.pointInBody(piece->segment.a);
-            if (inBox(corner, hull.halfSize, kReach_m) &&
-                hitOutline(hull.outline, corner).distance_m < kReach_m) {
-                found.corners.add({piece, kindOf(area.shore.lines()[piece->line].kind)});
-            }
-        }
+    for (std::uint32_t i = 0; shoreNear && i < hull.outline.size(); ++i) {
+        const NorthEast p = frame.point(hull.outline[i]);
+        const Shore::Piece* nearest = nullptr;
+        double nearest_m = kDeepest_m;
+        area.shore.near(p, kDeepest_m, [&](const Shore::Piece& piece) {
+            const double d_m = distanceTo(piece.segment, p);
+            if (d_m < nearest_m) nearest_m = d_m, nearest = &piece;
+        });
+        if (!nearest || Shore::offset(*nearest, p).distance_m > kReach_m) continue;
+        found.shore.add({i, nearest, kindOf(area.shore.lines()[nearest->line].kind)});
     }
     for (const Berth& berth : area.berths) {
         if (distanceTo(berth.face, m.position()) > reach_m) continue;
@@ -263,11 +272,13 @@ Load contactLoad(const Obstacles& obstacles, const ContactHull& hull, const Ship
         double sum_m = 0.0, deepest_m = 0.0;
     };
     std::array<Overlap, kMostBodies> overlaps;
-    visitAll(obstacles, hull, frame, [&](const Point& point) {
+    const auto gather = [&](const Point& point) {
         Overlap& overlap = overlaps[point.body];
         overlap.sum_m += point.depth_m;
         overlap.deepest_m = std::max(overlap.deepest_m, point.depth_m);
-    });
+    };
+    visitShore(obstacles, hull, frame, gather);
+    visitShips(obstacles, hull, frame, gather);
     Load sum;
     visitAll(obstacles, hull, frame, [&](const Point& point) {
         const NorthEast velocity = frame.vector(velocityAt(m, point.where)) + current - point.otherVelocity;
@@ -296,9 +307,7 @@ Touches findTouches(const Obstacles& obstacles, const ContactHull& hull, const S
         const NorthEast velocity = frame.vector(velocityAt(m, point.where)) + current - point.otherVelocity;
         const double closing_mps = -dot(velocity, point.away);
         if (touch.touching && closing_mps <= touch.approach_mps) return;
-        // A blow off the middle turns the ship instead of stopping her: share k^2 / (k^2 + x^2), k = L/4.
-        const double k2 = hull.length_m * hull.length_m / 16.0;
-        const double own_kg = hull.lateralMass_kg * k2 / (k2 + point.where.x_m * point.where.x_m);
+        const double own_kg = stoppedMass_kg(hull, point.where, frame.vectorInBody(point.away));
         const double mass_kg =
             point.otherMass_kg > 0.0 ? own_kg * point.otherMass_kg / (own_kg + point.otherMass_kg) : own_kg;
         const double speed_mps = std::max(0.0, closing_mps);

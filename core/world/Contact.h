@@ -23,7 +23,8 @@ struct ContactHull {
     double radius_m = 0.0;  ///< of the circle about midship that holds the outline
     BodyPoint halfSize;     ///< of the box that holds it
     double length_m = 0.0;
-    double lateralMass_kg = 0.0;
+    double mass_kg = 0.0;         ///< of the ship alone: what a blow from ahead has to stop
+    double lateralMass_kg = 0.0;  ///< with the added mass of sway
 };
 ContactHull contactHull(const Hull& hull, double lateralMass_kg);
 

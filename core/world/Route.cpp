@@ -95,8 +95,9 @@ RoutePath::Place RoutePath::nearest(NorthEast p, double from_m, double behind_m,
         if (d_m >= best_m) continue;
         best_m = d_m;
         best = placeOn(piece, within_m);
-        const double side = cross(unitVector(best.course_rad), p - q);
-        best.offTrack_m = side < 0.0 ? -d_m : d_m;
+        const double side_m = cross(unitVector(best.course_rad), p - q);
+        const bool atAnEnd = best.along_m <= 0.0 || best.along_m >= m_length_m;
+        best.offTrack_m = atAnEnd ? side_m : std::copysign(d_m, side_m);
     }
     return best;
 }
