@@ -61,8 +61,8 @@ TargetIntent hostileIntent(const TargetLayout& layout, TargetState& state, North
     state.phaseTime_s += dt_s;
     choosePhase(state, range_m);
     const double fast = fastest_mps(layout);
-    if (range_m < kTooNear_m)
-        return {bearing_rad(ownPosition, state.position), std::max(0.6 * fast, ownSpeed_mps + 3.0)};
+    const auto atLeast = [&](double speed_mps) { return std::clamp(speed_mps, 0.6 * fast, fast); };
+    if (range_m < kTooNear_m) return {bearing_rad(ownPosition, state.position), atLeast(ownSpeed_mps + 3.0)};
     switch (state.phase) {
         case HostilePhase::Close: {
             // for a point ahead of her bow
@@ -71,8 +71,7 @@ TargetIntent hostileIntent(const TargetLayout& layout, TargetState& state, North
             return {bearing_rad(state.position, ahead), fast};
         }
         case HostilePhase::Harass:
-            return {headingRound(ownPosition, state.position, kStandOff_m),
-                    std::max(0.6 * fast, 1.5 * ownSpeed_mps)};
+            return {headingRound(ownPosition, state.position, kStandOff_m), atLeast(1.5 * ownSpeed_mps)};
         case HostilePhase::Withdraw:
             return {bearing_rad(state.position, layout.route.front().position), 0.8 * fast};
         case HostilePhase::Loiter:

@@ -32,8 +32,8 @@ public:
 
     struct Place {
         double along_m = 0.0;  ///< from the first waypoint
-        double offTrack_m =
-            0.0;  ///< to starboard of the track is positive; before and beyond it, of the end leg drawn on
+        /// To starboard of the track is positive; before and beyond it, of the end leg drawn on.
+        double offTrack_m = 0.0;
         std::size_t leg = 1;      ///< index of the waypoint the leg ends at; changes in the middle of a turn
         double course_rad = 0.0;  ///< of the track here
         double curvature_perM = 0.0;  ///< positive in a turn to starboard

@@ -9,9 +9,21 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kArrival_m = 60.0;  // a waypoint counts as reached within this, or within three lengths
+constexpr double kArrival_m = 60.0;  // a waypoint counts as reached within this; small craft go nearer
 
 bool isFast(const TargetLayout& layout) { return layout.type == TargetType::FastCraft; }
+double speedLag_s(const TargetLayout& layout) { return isFast(layout) ? 4.0 : 5.0 + 0.4 * layout.length_m; }
+double turningRadius_m(const TargetLayout& layout) { return (isFast(layout) ? 1.5 : 2.5) * layout.length_m; }
+
+/// Whether a place lies so far inside her turning circle that no helm brings her within `near_m` of it: she
+/// would go round it for ever.
+bool insideTurningCircle(const TargetLayout& layout, const TargetState& state, NorthEast place,
+                         double near_m) {
+    const NorthEast ahead = unitVector(state.heading_rad);
+    const double radius_m = turningRadius_m(layout), side = cross(ahead, place - state.position);
+    const NorthEast centre = state.position + std::copysign(radius_m, side) * turnedRight(ahead);
+    return distance(centre, place) < radius_m - near_m;
+}
 
 }  // namespace
 
@@ -65,10 +77,13 @@ TargetIntent followRoute(const TargetLayout& layout, TargetState& state) {
     const TargetLayout::Waypoint& to = layout.route[state.leg];
     const bool last = !circuit && state.leg + 1 == count;
     const double left_m = distance(state.position, to.position);
-    // She takes the way off over the last five lengths.
+    // She takes the way off over the last five lengths, or what her engine needs.
+    const double stopping_m = std::max(5.0 * layout.length_m, 3.0 * speedLag_s(layout) * to.speed_mps);
     const double speed_mps =
-        last ? std::min(to.speed_mps, to.speed_mps * left_m / (5.0 * layout.length_m) + 0.3) : to.speed_mps;
-    return {bearing_rad(state.position, to.position), speed_mps};
+        last ? std::min(to.speed_mps, to.speed_mps * left_m / stopping_m + 0.3) : to.speed_mps;
+    // What she cannot turn to she first runs away from.
+    const bool tooNear = insideTurningCircle(layout, state, to.position, 0.5 * arrival_m);
+    return {tooNear ? state.heading_rad : bearing_rad(state.position, to.position), speed_mps};
 }
 
 void moveTarget(const TargetLayout& layout, TargetState& state, const TargetIntent& intent, NorthEast current,
@@ -76,11 +91,9 @@ void moveTarget(const TargetLayout& layout, TargetState& state, const TargetInte
     const double wanted_mps = state.stopped                   ? 0.0
                               : state.orderedSpeed_mps >= 0.0 ? state.orderedSpeed_mps
                                                               : intent.speed_mps;
-    const double speedLag_s = isFast(layout) ? 4.0 : 5.0 + 0.4 * layout.length_m;
-    state.speed_mps += (wanted_mps - state.speed_mps) / speedLag_s * dt_s;
+    state.speed_mps += (wanted_mps - state.speed_mps) / speedLag_s(layout) * dt_s;
 
-    const double radius_m = (isFast(layout) ? 1.5 : 2.5) * layout.length_m;
-    const double most_radps = std::min(state.speed_mps / radius_m, 0.35);
+    const double most_radps = std::min(state.speed_mps / turningRadius_m(layout), 0.35);
     const double error_rad = wrapPi(intent.heading_rad - state.heading_rad);
     const double turn_radps =
         std::clamp(0.15 * error_rad * (isFast(layout) ? 4.0 : 1.0), -most_radps, most_radps);

@@ -152,7 +152,11 @@ std::vector<Blow> blows() {
     }
     return all;
 }
-INSTANTIATE_TEST_SUITE_P(OfEveryMass, BlowOnAQuay, ::testing::ValuesIn(blows()));
+INSTANTIATE_TEST_SUITE_P(OfEveryMass, BlowOnAQuay, ::testing::ValuesIn(blows()), [](const auto& row) {
+    return std::to_string(std::lround(row.param.mass_kg / 1000.0)) + "tAt" +
+           std::to_string(std::lround(row.param.angle_deg)) + "deg" +
+           std::to_string(std::lround(100.0 * row.param.speed_mps)) + "cmps";
+});
 
 TEST(HardContact, PressedOnShePressesBackAndLies) {
     const Area quay = test::longQuay();
