@@ -64,13 +64,12 @@ struct Loss {
     double time_s, value, limit, points;
 };
 const Loss kBadRun[] = {
-    {"speed", 165, 9.91 * 0.5144, 6 * 0.5144, 8},    // 10 kn through the entrance, 55 s: twice
-    {"speed", 248, 10.7 * 0.5144, 10 * 0.5144, 12},  // and faster in the bay; the weight of 20 is used up
-    {"cross-track", 288, 207, 0.05 * 1852, 12},      // wheel over late at Outside
-    {"anchor-place", 890, 177, 50, 15},              // let go short of the mark
-    {"let-go-speed", 890, -9.67 * 0.5144, 0.3 * 0.5144, 10},  // with headway
-    {"anchor-drag", 913, 10.0, 10, 15},                       // so that it drags
-    {"speed", 476, 10.8 * 0.5144, 3 * 0.5144, 0},             // never slowed down: nothing left to take off
+    {"speed", 165, 9.88 * 0.5144, 6 * 0.5144, 8},  // 10 kn through the entrance, about 50 s: twice
+    {"cross-track", 330, 193, 0.05 * 1852, 20},    // wheel over late at Outside: all of its weight
+    {"anchor-place", 1210, 226, 50, 15},           // let go short of the mark
+    {"let-go-speed", 1210, -9.67 * 0.5144, 0.3 * 0.5144, 10},  // with headway
+    {"anchor-drag", 1233, 10.5, 10, 15},                       // so that it drags
+    {"speed", 1025, 10.7 * 0.5144, 3 * 0.5144, 12},  // half ahead to the mark: the rest of its weight
 };
 
 TEST(BadRun, LosesPointByPointAndFails) {

@@ -13,8 +13,13 @@ using test::FreeBody;
 
 /// The other ship as this one sees her.
 ShipObstacle seen(const FreeBody& other, std::int32_t index = -1) {
-    return {other.hull.outline, other.motion.position(), other.motion.heading_rad,
-            other.velocity(),   other.mass_kg,           index};
+    return {other.hull.outline,
+            other.hull.halfSize,
+            other.motion.position(),
+            other.motion.heading_rad,
+            other.velocity(),
+            other.mass_kg,
+            index};
 }
 Obstacles only(const ShipObstacle& ship) {
     Obstacles found;
