@@ -5,6 +5,7 @@
 #include "ui/report/Chart.h"
 #include "ui/report/ChartSigns.h"
 #include "ui/report/Format.h"
+#include "ui/report/Sound.h"
 
 namespace sagara::report {
 namespace {
@@ -26,7 +27,7 @@ std::vector<Spot> spotsOf(const Chart& chart) {
     for (const DeductionLine& line : chart.report.deductions) {
         ++number;
         const QPointF at = chart.view.toPage(line.place);
-        if (!chart.details(at)) continue;
+        if (!isFinite(line.place) || !chart.details(at)) continue;
         const auto near = [&](const Spot& s) {
             return std::hypot(s.at.x() - at.x(), s.at.y() - at.y()) < kSameSpot_mm;
         };

@@ -29,7 +29,7 @@ void drawMarks(Chart& chart) {
 void labelMarks(Chart& chart) {
     for (const ChartMark& mark : chart.report.marks) {
         if (!chart.details(mark.position)) continue;
-        labelNear(chart, chart.view.toPage(mark.position), 0.5 * kSize_mm + 0.3, 8.0, markText(mark),
+        labelNear(chart, chart.view.toPage(mark.position), 0.5 * kSize_mm + 0.7, 8.0, markText(mark),
                   mark.fictional ? kFictionalStyle : kRealStyle);
     }
 }

@@ -4,6 +4,7 @@
 #include "ui/report/ChartFurniture.h"
 #include "ui/report/ChartLegend.h"
 #include "ui/report/ChartPlan.h"
+#include "ui/report/FreeSpot.h"
 
 namespace sagara::report {
 namespace {

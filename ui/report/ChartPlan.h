@@ -2,7 +2,6 @@
 
 #include <QRectF>
 #include <optional>
-#include <vector>
 
 #include "ui/report/ChartView.h"
 #include "ui/report/ReportData.h"
@@ -20,13 +19,5 @@ struct ChartPlan {
 
 /// Chooses scales, and a place for the inset where it hides nothing of the run.
 ChartPlan planCharts(const RunReport& report, const QRectF& area);
-
-/// What must not be hidden: track, route, corridor, deductions and anchors, as points close together on the
-/// page.
-std::vector<QPointF> pointsToKeepFree(const RunReport& report, const ChartView& view);
-
-/// The corner or edge of the frame where a box hides the fewest points and no blocked rectangle.
-QRectF freeSpot(const QRectF& frame, QSizeF size, const std::vector<QPointF>& points,
-                const std::vector<QRectF>& blocked);
 
 }  // namespace sagara::report

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kTick_mm = 1.1;       ///< half of its length
 constexpr double kLeastShip_mm = 1.2;  ///< a shorter ship is a dot
-constexpr double kTickInterval_s = 300.0;
 const TextStyle kTimeStyle{6.5, colour::kInk};
 
 std::vector<core::NorthEast> positions(const std::vector<TrackPoint>& track) {
@@ -56,7 +55,8 @@ std::vector<TimeTick> timeTicks(const Chart& chart) {
     const auto& track = chart.report.track;
     std::vector<TimeTick> ticks;
     if (track.empty()) return ticks;
-    for (double t_s = 0.0; t_s <= track.back().time_s; t_s += kTickInterval_s) {
+    const double interval_s = tickInterval_s(track);
+    for (double t_s = 0.0; t_s <= track.back().time_s; t_s += interval_s) {
         const std::optional<std::size_t> i = pointAtTime(track, t_s);
         if (!i) continue;
         const bool same = !ticks.empty() && chart.view.toMm(core::distance(track[ticks.back().point].position,

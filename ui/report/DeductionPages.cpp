@@ -28,8 +28,8 @@ Table::Cell titleCell(const DeductionLine& line) {
 
 std::vector<Block> listBlocks(const RunReport& report) {
     Table table({{tr("No."), 10.0},
-                 {tr("Time (mm:ss)"), 20.0},
-                 {tr("Criterion and what was measured"), 62.0},
+                 {tr("Time (mm:ss)"), 22.0},
+                 {tr("Criterion and what was measured"), 60.0},
                  {tr("Value"), 21.0, Qt::AlignRight},
                  {tr("Limit"), 21.0, Qt::AlignRight},
                  {tr("Points"), 14.0, Qt::AlignRight},

@@ -26,6 +26,7 @@ QString english(const QDateTime& time, const QString& format) {
 
 /// "006°01.95'" of an angle that is not negative. Rounded once, so that minutes never read 60.
 QString degreesAndMinutes(double angle_deg, int decimals) {
+    if (!std::isfinite(angle_deg)) return QString(kDash);
     const double perDegree = 60.0 * std::pow(10.0, decimals);
     const auto units = static_cast<long long>(std::llround(angle_deg * perDegree));
     const auto whole = static_cast<long long>(std::llround(perDegree));

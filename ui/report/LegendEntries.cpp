@@ -8,6 +8,7 @@
 #include "ui/report/Format.h"
 #include "ui/report/Marks.h"
 #include "ui/report/Text.h"
+#include "ui/report/TrackMoments.h"
 
 namespace sagara::report {
 namespace {
@@ -46,13 +47,13 @@ LegendEntry shipEntry(double interval_s) {
     return {draw, tr("track; the ship to scale every %1").arg(intervalText(interval_s))};
 }
 
-LegendEntry tickEntry() {
+LegendEntry tickEntry(const RunReport& report) {
     const auto draw = [](QPainter& painter, QPointF p) {
         drawSample(painter, p, trackPen());
         painter.setPen(tickPen());
         painter.drawLine(p - QPointF(0.0, 1.1), p + QPointF(0.0, 1.1));
     };
-    return {draw, tr("every 5 min, mm:ss since start")};
+    return {draw, tr("every %1, mm:ss since start").arg(intervalText(tickInterval_s(report.track)))};
 }
 
 LegendEntry routeEntry() {
@@ -86,7 +87,7 @@ LegendEntry anchorEntry() {
 }
 
 void addRun(std::vector<LegendEntry>& entries, const RunReport& report, double interval_s) {
-    if (!report.track.empty()) entries.insert(entries.end(), {shipEntry(interval_s), tickEntry()});
+    if (!report.track.empty()) entries.insert(entries.end(), {shipEntry(interval_s), tickEntry(report)});
     if (!report.route.waypoints.empty()) entries.insert(entries.end(), {routeEntry(), corridorEntry()});
     if (!report.deductions.empty()) entries.push_back(deductionEntry());
     if (!report.anchors.empty()) entries.push_back(anchorEntry());

@@ -7,38 +7,37 @@
 namespace sagara::report {
 namespace {
 
-double halfWidth_mm(const Marker& marker, double widthOfOne_mm) {
-    // a range of three numbers and more is printed as two and a dash
-    const auto printed = static_cast<double>(std::min<std::size_t>(marker.numbers.size(), 3));
-    return 0.5 * widthOfOne_mm * (0.3 + printed);
-}
+using WidthOf = std::function<double(const std::vector<int>&)>;
 
-bool collide(const Marker& a, const Marker& b, double widthOfOne_mm) {
-    const double needed_mm = halfWidth_mm(a, widthOfOne_mm) + halfWidth_mm(b, widthOfOne_mm);
-    return a.row == b.row && std::abs(a.x_mm - b.x_mm) < needed_mm;
+bool collide(const Marker& a, const Marker& b, const WidthOf& widthOf) {
+    return a.row == b.row && std::abs(a.x_mm - b.x_mm) < 0.5 * (widthOf(a.numbers) + widthOf(b.numbers));
 }
 
 /// The first row where it is free, else `rows`.
 std::size_t freeRow(const std::vector<Marker>& placed, Marker marker, std::size_t rows,
-                    double widthOfOne_mm) {
+                    const WidthOf& widthOf) {
     for (marker.row = 0; marker.row < rows; ++marker.row) {
-        const bool taken = std::any_of(placed.begin(), placed.end(), [&](const Marker& other) {
-            return collide(other, marker, widthOfOne_mm);
-        });
+        const bool taken = std::any_of(placed.begin(), placed.end(),
+                                       [&](const Marker& other) { return collide(other, marker, widthOf); });
         if (!taken) break;
     }
     return marker.row;
 }
 
+void join(Marker& marker, const std::vector<int>& numbers) {
+    marker.numbers.insert(marker.numbers.end(), numbers.begin(), numbers.end());
+    std::sort(marker.numbers.begin(), marker.numbers.end());
+}
+
 /// Adds a number to the last marker, and to it those it now runs into.
-void merge(std::vector<Marker>& placed, int number, double widthOfOne_mm) {
+void merge(std::vector<Marker>& placed, int number, const WidthOf& widthOf) {
     Marker grown = std::move(placed.back());
     placed.pop_back();
-    grown.numbers.push_back(number);
-    const auto touched = [&](const Marker& other) { return collide(other, grown, widthOfOne_mm); };
+    join(grown, {number});
+    const auto touched = [&](const Marker& other) { return collide(other, grown, widthOf); };
     for (auto hit = placed.begin();
          (hit = std::find_if(placed.begin(), placed.end(), touched)) != placed.end();) {
-        grown.numbers.insert(grown.numbers.end(), hit->numbers.begin(), hit->numbers.end());
+        join(grown, hit->numbers);
         placed.erase(hit);
     }
     placed.push_back(std::move(grown));
@@ -46,7 +45,7 @@ void merge(std::vector<Marker>& placed, int number, double widthOfOne_mm) {
 
 }  // namespace
 
-std::vector<Marker> arrangeMarkers(std::span<const double> x_mm, std::size_t rows, double widthOfOne_mm) {
+std::vector<Marker> arrangeMarkers(std::span<const double> x_mm, std::size_t rows, const WidthOf& widthOf) {
     std::vector<std::size_t> order(x_mm.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
@@ -54,14 +53,13 @@ std::vector<Marker> arrangeMarkers(std::span<const double> x_mm, std::size_t row
     std::vector<Marker> placed;
     for (const std::size_t i : order) {
         Marker marker{x_mm[i], 0, {static_cast<int>(i) + 1}};
-        marker.row = freeRow(placed, marker, rows, widthOfOne_mm);
+        marker.row = freeRow(placed, marker, rows, widthOf);
         if (marker.row < rows) {
-            placed.push_back(marker);
+            placed.push_back(std::move(marker));
         } else {
-            merge(placed, marker.numbers.front(), widthOfOne_mm);
+            merge(placed, marker.numbers.front(), widthOf);
         }
     }
-    for (Marker& marker : placed) std::sort(marker.numbers.begin(), marker.numbers.end());
     return placed;
 }
 

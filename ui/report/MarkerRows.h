@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,9 @@ struct Marker {
     std::vector<int> numbers;
 };
 
-/// The i-th number, counted from 1, belongs at x_mm[i].
-std::vector<Marker> arrangeMarkers(std::span<const double> x_mm, std::size_t rows, double widthOfOne_mm);
+/// The i-th number, counted from 1, belongs at x_mm[i]. `widthOf` measures numbers that stand together; no
+/// two markers of a row overlap unless they all stand at one place.
+std::vector<Marker> arrangeMarkers(std::span<const double> x_mm, std::size_t rows,
+                                   const std::function<double(const std::vector<int>&)>& widthOf);
 
 }  // namespace sagara::report

@@ -15,6 +15,7 @@
 #include "ui/report/PageFrame.h"
 #include "ui/report/PlotsPage.h"
 #include "ui/report/ReportData.h"
+#include "ui/report/Sound.h"
 #include "ui/report/SummaryPage.h"
 #include "ui/report/Text.h"
 
@@ -67,7 +68,7 @@ QByteArray pdfOf(const RunReport& report) {
 
 void writeReport(const RunReport& report, const std::string& path) {
     assert(qGuiApp);  // fonts need it
-    const QByteArray content = pdfOf(report);
+    const QByteArray content = pdfOf(withoutBadPoints(report));
     QSaveFile file(QFile::decodeName(QByteArray::fromStdString(path)));  // whole or not at all
     file.setDirectWriteFallback(true);
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.commit()) {

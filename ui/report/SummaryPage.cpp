@@ -19,8 +19,9 @@ const TextStyle kObjectiveStyle{9.5};
 const TextStyle kCodeStyle{8.5, colour::kQuiet};
 
 std::vector<Block> lessonBlocks(const RunReport& report) {
-    std::vector<Block> blocks{
-        paragraph(fromStd(report.scenarioName), kLessonStyle, page::kTextWidth_mm, 0.0, 3)};
+    const QString name =
+        report.scenarioName.empty() ? tr("Lesson without a name") : fromStd(report.scenarioName);
+    std::vector<Block> blocks{paragraph(name, kLessonStyle, page::kTextWidth_mm, 0.0, 3)};
     if (!report.objective.empty()) {
         blocks.push_back(paragraph(fromStd(report.objective), kObjectiveStyle, page::kTextWidth_mm, 1.0, 8));
     }

@@ -46,6 +46,14 @@ double outlineInterval_s(const std::vector<TrackPoint>& track, double apart_m) {
     return speed_mps > 0.1 ? 1800.0 : 60.0;
 }
 
+double tickInterval_s(const std::vector<TrackPoint>& track) {
+    const double duration_s = track.empty() ? 0.0 : track.back().time_s;
+    for (const double interval_s : {300.0, 900.0, 1800.0}) {
+        if (duration_s <= 20.0 * interval_s) return interval_s;
+    }
+    return 3600.0;
+}
+
 std::vector<std::size_t> outlineMoments(const std::vector<TrackPoint>& track, double interval_s,
                                         double shipLength_m) {
     std::vector<std::size_t> moments;

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/base/Angle.h"
 #include "core/base/Units.h"
 #include "ui/report/Format.h"
+#include "ui/report/Remarks.h"
 #include "ui/report/SpeedLimits.h"
 #include "ui/report/Style.h"
 #include "ui/report/Text.h"
+#include "ui/report/TrackSeries.h"
 
 namespace sagara::report {
 namespace {
 
 constexpr double kLine_mm = 0.3;
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-
-template <typename ValueOf>
-PlotSeries seriesOf(const RunReport& report, const QString& name, const QPen& pen, ValueOf&& valueOf) {
-    PlotSeries series{name, pen, {}};
-    for (const TrackPoint& point : report.track) series.points.emplace_back(point.time_s, valueOf(point));
-    return series;
-}
 
 /// A constant across the plot.
 PlotSeries levelLine(const RunReport& report, const QString& name, const QPen& pen, double value) {
@@ -40,34 +32,6 @@ std::vector<double> valuesOf(const std::vector<PlotSeries>& all) {
     return values;
 }
 
-/// The point of a series that `better` prefers, nothing when it has no finite one.
-template <typename Better>
-const QPointF* extreme(const PlotSeries& series, Better&& better) {
-    const QPointF* best = nullptr;
-    for (const QPointF& p : series.points) {
-        if (std::isfinite(p.y()) && (!best || better(p.y(), best->y()))) best = &p;
-    }
-    return best;
-}
-
-bool larger(double a, double b) { return a > b; }
-bool smaller(double a, double b) { return a < b; }
-bool fartherFromZero(double a, double b) { return std::abs(a) > std::abs(b); }
-
-/// "most 9.8 at 12:20"
-QString remark(const QString& word, const QPointF* p, int decimals) {
-    if (!p) return {};
-    return tr("%1 %2 at %3").arg(word, number(p->y(), decimals), clockTime(p->x()));
-}
-
-/// "most 26 to port at 21:49" of the value farthest from zero
-QString sidedRemark(const PlotSeries& series, int decimals) {
-    const QPointF* p = extreme(series, fartherFromZero);
-    if (!p || number(p->y(), decimals) == number(0.0, decimals)) return {};
-    const QString side = p->y() < 0.0 ? tr("to port") : tr("to starboard");
-    return tr("most %1 %2 at %3").arg(number(std::abs(p->y()), decimals), side, clockTime(p->x()));
-}
-
 std::function<QString(double)> plainTicks(const Axis& axis) {
     const int decimals =
         axis.step < 0.995 ? (axis.step < 0.0995 ? 2 : 1) : (std::fmod(axis.step, 1.0) > 1e-9 ? 1 : 0);
@@ -81,54 +45,27 @@ Plot plotOf(const QString& title, std::vector<PlotSeries> series, const AxisRule
     return plot;
 }
 
-/// The limit as a staircase: it changes at once.
-PlotSeries limitSeries(const RunReport& report, const std::vector<double>& limits_mps) {
-    PlotSeries series{tr("limit"), limitPen(), {}};
-    for (std::size_t i = 0; i < limits_mps.size(); ++i) {
-        const double limit_kn = limits_mps[i] > 0.0 ? limits_mps[i] / core::kKnot_mps : kGap;
-        const double time_s = report.track[i].time_s;
-        if (i > 0 && std::isfinite(limit_kn) && limits_mps[i] != limits_mps[i - 1]) {
-            series.points.emplace_back(time_s, series.points.back().y());
-        }
-        series.points.emplace_back(time_s, limit_kn);
-    }
-    return series;
-}
-
 Plot speedPlot(const RunReport& report) {
     std::vector<PlotSeries> series{
         seriesOf(report, tr("ship"), linePen(colour::kInk, kLine_mm),
                  [](const TrackPoint& p) { return p.speedOverGround_mps / core::kKnot_mps; })};
-    const QString most = remark(tr("most"), extreme(series.front(), larger), 1);
+    const QString most = remark(tr("most"), highest(series.front()), 1);
+    double headroom_kn = 4.0;
     if (const std::vector<double> limits_mps = speedLimits_mps(report); !limits_mps.empty()) {
-        series.push_back(limitSeries(report, limits_mps));
+        headroom_kn = 1.1 * *std::max_element(limits_mps.begin(), limits_mps.end()) / core::kKnot_mps;
+        series.push_back(limitSeries(report, limits_mps, tr("limit"), limitPen()));
     } else {
         series.front().name.clear();
     }
-    Plot plot = plotOf(tr("Speed over ground, kn"), std::move(series), {0.0, 4.0, false, 4, {}});
+    Plot plot = plotOf(tr("Speed over ground, kn"), std::move(series), {0.0, headroom_kn, false, 4, {}});
     plot.remark = most;
     return plot;
 }
 
-/// True heading without jumps at north: it goes on below 0 and above 360.
-PlotSeries unwrappedHeading(const RunReport& report) {
-    PlotSeries series{{}, linePen(colour::kInk, kLine_mm), {}};
-    double last_deg = kGap;
-    for (const TrackPoint& point : report.track) {
-        const double true_rad = point.heading_rad - report.frame.convergence_rad(point.position);
-        const double wrapped_deg = core::wrapTwoPi(true_rad) / core::kDegree_rad;
-        const double from_deg = std::isfinite(last_deg) ? last_deg : wrapped_deg;
-        const double now_deg = from_deg + std::remainder(wrapped_deg - from_deg, 360.0);
-        if (std::isfinite(now_deg)) last_deg = now_deg;
-        series.points.emplace_back(point.time_s, now_deg);
-    }
-    return series;
-}
-
 Plot headingPlot(const RunReport& report) {
-    const std::vector<PlotSeries> series{unwrappedHeading(report)};
-    const QPointF* low = extreme(series.front(), smaller);
-    const QPointF* high = extreme(series.front(), larger);
+    const std::vector<PlotSeries> series{unwrappedHeading(report, linePen(colour::kInk, kLine_mm))};
+    const QPointF* low = lowest(series.front());
+    const QPointF* high = highest(series.front());
     const double middle_deg = low ? 0.5 * (low->y() + high->y()) : 0.0;
     AxisRule rule{middle_deg - 10.0, middle_deg + 10.0, false, 4, {5, 10, 15, 30, 45, 90, 180, 360}};
     Plot plot = plotOf(tr("Heading, °T"), series, rule);
@@ -180,7 +117,7 @@ Plot shaftPlot(const RunReport& report) {
 
 Plot rollPlot(const RunReport& report) {
     Plot plot = plotOf(tr("Roll, °, starboard down positive"),
-                       {seriesOf(report, {}, linePen(colour::kInk, 0.25),
+                       {seriesOf(report, {}, linePen(colour::kInk, 0.2),
                                  [](const TrackPoint& p) { return p.roll_rad / core::kDegree_rad; })},
                        {0.0, 2.0, true, 4, {}});
     plot.remark = sidedRemark(plot.series.front(), 1);
@@ -192,7 +129,7 @@ Plot underKeelPlot(const RunReport& report) {
     std::vector<PlotSeries> series{seriesOf(report, limited ? tr("ship") : QString(),
                                             linePen(colour::kInk, kLine_mm),
                                             [](const TrackPoint& p) { return p.underKeel_m; })};
-    const QString least = remark(tr("least"), extreme(series.front(), smaller), 1);
+    const QString least = remark(tr("least"), lowest(series.front()), 1);
     if (limited) series.push_back(levelLine(report, tr("limit"), limitPen(), report.underKeelLimit_m));
     Plot plot = plotOf(tr("Under-keel clearance, m"), std::move(series), {0.0, 2.0, false, 4, {}});
     plot.remark = least;

@@ -9,6 +9,7 @@
 #include "ui/report/ChartPlan.h"
 #include "ui/report/Corridor.h"
 #include "ui/report/Flow.h"
+#include "ui/report/FreeSpot.h"
 #include "ui/report/LabelField.h"
 #include "ui/report/MarkerRows.h"
 #include "ui/report/Marks.h"
@@ -68,12 +69,15 @@ TEST(Axis, TimeHasNoMoreThanElevenSteps) {
 }
 
 TEST(MarkerRows, DenseNumbersUseAllRowsAndThenShare) {
-    const auto one = arrangeMarkers(std::array{10.0, 40.0, 70.0}, 3, 3.0);
+    const auto widthOf = [](const std::vector<int>& numbers) {
+        return 3.0 * static_cast<double>(numbers.size());
+    };
+    const auto one = arrangeMarkers(std::array{10.0, 40.0, 70.0}, 3, widthOf);
     ASSERT_EQ(one.size(), 3u);
     for (const Marker& marker : one) EXPECT_EQ(marker.row, 0u);
     std::vector<double> same(60, 50.0);
     std::size_t numbers = 0;
-    for (const Marker& marker : arrangeMarkers(same, 3, 3.0)) {
+    for (const Marker& marker : arrangeMarkers(same, 3, widthOf)) {
         EXPECT_LT(marker.row, 3u);
         numbers += marker.numbers.size();
     }

@@ -209,6 +209,9 @@ TEST(Report, ValuesThatAreNotNumbersLeaveGaps) {
     }
     run.track[500].shafts_rps.clear();
     run.track[501].shafts_rps = {1.0, 1.0, 2.0};
+    run.track[700].position.north_m = run.track[701].time_s = std::numeric_limits<double>::quiet_NaN();
+    run.deductions = failedRun().deductions;
+    run.deductions.at(3).place.east_m = run.deductions.at(4).value = std::numeric_limits<double>::quiet_NaN();
     run.duration_s = std::numeric_limits<double>::quiet_NaN();
     soundPages(run, "gaps", 4);
 }
