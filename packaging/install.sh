@@ -30,10 +30,10 @@ install_dependencies() {
         "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# Configures a preset once; later calls only build what changed.
+# Configures a preset once; later calls only build what changed. Shows what the compiler says and no more.
 build_preset() {
-    local preset=$1
+    local preset=$1 status=0
     [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null || return 1
-    cmake --build --preset "$preset" | grep -Ev '^(\[[0-9]+/[0-9]+\]|ninja: no work to do)' || true
-    return "${PIPESTATUS[0]}"
+    cmake --build --preset "$preset" | { grep -Ev '^(\[[0-9]+/[0-9]+\]|ninja: no work to do)' || true; } || status=$?
+    return "$status"
 }
