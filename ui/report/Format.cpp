@@ -24,15 +24,15 @@ QString english(const QDateTime& time, const QString& format) {
     return QLocale(QLocale::English, QLocale::UnitedKingdom).toString(time, format);
 }
 
-/// "080°13.82'" of an angle that is not negative. Rounded once, so that minutes never read 60.
-QString degreesAndMinutes(double angle_deg, int degreeDigits, int decimals) {
+/// "006°01.95'" of an angle that is not negative. Rounded once, so that minutes never read 60.
+QString degreesAndMinutes(double angle_deg, int decimals) {
     if (!std::isfinite(angle_deg)) return QString(kDash);
     const double perDegree = 60.0 * std::pow(10.0, decimals);
     const auto units = static_cast<long long>(std::llround(angle_deg * perDegree));
     const auto whole = static_cast<long long>(std::llround(perDegree));
     const double minutes = static_cast<double>(units % whole) / (perDegree / 60.0);
     const int width = decimals > 0 ? decimals + 3 : 2;
-    return u"%1%2%3'"_s.arg(units / whole, degreeDigits, 10, QLatin1Char('0'))
+    return u"%1%2%3'"_s.arg(units / whole, 3, 10, QLatin1Char('0'))
         .arg(kDegree)
         .arg(minutes, width, 'f', decimals, QLatin1Char('0'));
 }
@@ -87,11 +87,11 @@ QString bearing(double angle_deg) {
 }
 
 QString latitude(double lat_deg, int decimals) {
-    return degreesAndMinutes(std::abs(lat_deg), 2, decimals) + (lat_deg < 0.0 ? u'S' : u'N');
+    return degreesAndMinutes(std::abs(lat_deg), decimals) + (lat_deg < 0.0 ? u'S' : u'N');
 }
 
 QString longitude(double lon_deg, int decimals) {
-    return degreesAndMinutes(std::abs(lon_deg), 3, decimals) + (lon_deg < 0.0 ? u'W' : u'E');
+    return degreesAndMinutes(std::abs(lon_deg), decimals) + (lon_deg < 0.0 ? u'W' : u'E');
 }
 
 QString localTime(core::Utc instant, int utcOffset_min, const std::string& zone) {

@@ -20,7 +20,7 @@ QString clockTime(double time_s);
 /// Three figures, 000 to 359.
 QString bearing(double angle_deg);
 
-/// "06°01.95'N"
+/// "006°01.95'N"
 QString latitude(double lat_deg, int decimals);
 QString longitude(double lon_deg, int decimals);
 

@@ -36,9 +36,9 @@ TEST(ReportFormat, BearingsHaveThreeFiguresOnOneTurn) {
 }
 
 TEST(ReportFormat, PlacesAreDegreesAndDecimalMinutes) {
-    EXPECT_EQ(of(latitude(6.0325, 2)), "06°01.95'N");
+    EXPECT_EQ(of(latitude(6.0325, 2)), "006°01.95'N");
     EXPECT_EQ(of(longitude(80.2268, 1)), "080°13.6'E");
-    EXPECT_EQ(of(latitude(-33.5, 1)), "33°30.0'S");
+    EXPECT_EQ(of(latitude(-33.5, 1)), "033°30.0'S");
     EXPECT_EQ(of(longitude(-0.0001, 2)), "000°00.01'W");
     EXPECT_EQ(of(longitude(179.99999, 1)), "180°00.0'E") << "minutes never read 60";
 }
