@@ -12,6 +12,8 @@ constexpr double kSlowest_mps = 1.0;  // below, the rudder hardly works and gain
 constexpr double kHeadingGain = 1.2;  // rudder per heading error
 constexpr double kRateGain = 0.7;     // rudder per r L/U
 constexpr double kTurnGain = 1.0;     // rudder per wanted r L/U: K' of a well-behaved ship is about 1
+constexpr double kSmoothing =
+    0.25;  // time constant of the rate of turn in L/U: waves are not steered against
 constexpr double kLookAhead_lengths = 1.5;
 constexpr double kLead_lengths = 0.8;  // the turn begins this much before the arc
 constexpr double kIntegralTime_s = 120.0;
@@ -48,9 +50,14 @@ double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMot
 
 double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m,
                           AutopilotState& state, double handOrder_rad, double dt_s) {
-    if (state.mode == AutopilotMode::Heading) return steerHeading_rad(vessel, m, state.setHeading_rad, 0.0);
+    const double smoothing_s = kSmoothing * vessel.hull.lengthBp_m / speed(m);
+    state.yawRate_radps += (m.yawRate_radps - state.yawRate_radps) * dt_s / (smoothing_s + dt_s);
+    ShipMotion smooth = m;
+    smooth.yawRate_radps = state.yawRate_radps;
+    if (state.mode == AutopilotMode::Heading)
+        return steerHeading_rad(vessel, smooth, state.setHeading_rad, 0.0);
     if (state.mode == AutopilotMode::Track && path.length_m() > 0.0)
-        return steerTrack_rad(vessel, path, m, state, dt_s);
+        return steerTrack_rad(vessel, path, smooth, state, dt_s);
     return handOrder_rad;
 }
 

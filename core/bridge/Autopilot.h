@@ -15,10 +15,11 @@ struct AutopilotState {
     double setHeading_rad = 0.0;
     double along_m = 0.0;         ///< place on the route, track mode
     double offTrackSum_ms = 0.0;  ///< integral of the cross-track error, against wind and current
+    double yawRate_radps = 0.0;   ///< of the ship, the swing of the waves smoothed out
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.mode, self.setHeading_rad, self.along_m, self.offTrackSum_ms);
+        ar(self.mode, self.setHeading_rad, self.along_m, self.offTrackSum_ms, self.yawRate_radps);
     }
 };
 
