@@ -30,10 +30,12 @@ install_dependencies() {
         "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# Configures a preset once; later calls only build what changed. Shows what the compiler says and no more.
+# build_preset PRESET [TARGET...]: configures a preset once; later calls only build what changed. Shows what the compiler
+# says and no more.
 build_preset() {
     local preset=$1 status=0
+    shift
     [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null || return 1
-    cmake --build --preset "$preset" | { grep -Ev '^(\[[0-9]+/[0-9]+\]|ninja: no work to do)' || true; } || status=$?
+    cmake --build --preset "$preset" ${1:+--target "$@"} | { grep -Ev '^(\[[0-9]+/[0-9]+\]|ninja: no work to do)' || true; } || status=$?
     return "$status"
 }
