@@ -73,6 +73,11 @@ TEST_P(LetGoSpeed, IsSternwayBetweenItsLimits) {
 INSTANTIATE_TEST_SUITE_P(Astern, LetGoSpeed, ::testing::ValuesIn(kSternways),
                          [](const auto& row) { return row.param.name; });
 
+TEST(LetGoSpeedCriterion, RefusesLimitsThatNobodyCanMeet) {
+    EXPECT_EQ(test::Rubric().problemsOfCriterion(terms(R"("let-go-speed", "least_kn": 0.8, "most_kn": 0.3)")),
+              "rubric: most_kn is less than least_kn, expected at least as much");
+}
+
 class AnchorDrag : public ::testing::Test {
 protected:
     Judge judge{terms(R"("anchor-drag", "limit_m": 10)")};

@@ -146,6 +146,9 @@ TEST(Tasks, SayWhatTheyCannotRead) {
          "rubric: to is \"pier\", expected a place of area test"},
         {R"("transit", "to": "mark", "within_M": 0.2, "within_m": 3)",
          "rubric: within_m is unknown, expected one of id, kind, title, to, within_M"},
+        {R"("anchor", "at": "mark", "within_m": 75, "shackles": [5, 4], "speed_kn": 0.3, "still_s": 60,
+             "hold_s": 120, "weather_deg": 30)",
+         "rubric: shackles runs downwards, expected [least, most]"},
         {R"("swim")",
          "rubric: kind is \"swim\", expected one of spring-off, clear-of-berth, gate, transit, anchor"},
     };
