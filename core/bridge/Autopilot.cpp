@@ -32,7 +32,9 @@ double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double headin
 double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
                       double dt_s) {
     const double length_m = vessel.hull.lengthBp_m;
-    const RoutePath::Place here = path.nearest(m.position(), state.along_m, 50.0, 300.0);
+    const bool somewhere = state.along_m == kSomewhere_m;
+    const RoutePath::Place here = somewhere ? path.nearest(m.position(), 0.0, 0.0, path.length_m())
+                                            : path.nearest(m.position(), state.along_m, 50.0, 300.0);
     state.along_m = here.along_m;
     const double lookAhead_m = kLookAhead_lengths * length_m;
     const double limit_ms = kMostIntegral_rad * lookAhead_m * kIntegralTime_s / 10.0;
