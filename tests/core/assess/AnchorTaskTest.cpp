@@ -84,7 +84,7 @@ TEST_F(BroughtUp, NotWhileSheMakesGoodMoreThanTheSpeed) {
     EXPECT_TRUE(lie(130.0, drift(0.29)));
 }
 
-TEST_F(BroughtUp, StillForAMinuteAfterShehasMovedOn) {
+TEST_F(BroughtUp, StillForAMinuteAfterSheHasMovedOn) {
     lie(130.0, [this] {
         now.position.north_m += 0.5 * kKnot_mps * 0.2;
         now.momentarySpeed_mps = 0.5 * kKnot_mps;

@@ -225,7 +225,7 @@ TEST(Follow, KnowsLegAndSideAllTheWay) {
     EXPECT_EQ(progress.leg, 3u);
 }
 
-TEST(Follow, AShipThatGoesBackAlittleIsStillFound) {
+TEST(Follow, AShipThatGoesBackALittleIsStillFound) {
     const test::Rubric rubric;
     RouteProgress progress;
     for (double north_m = 0.0; north_m <= 700.0; north_m += 10.0)
