@@ -1,5 +1,7 @@
 #include "core/assess/AnchorCriteria.h"
 
+#include <algorithm>
+
 #include "core/base/Units.h"
 
 namespace sagara::core {
@@ -75,6 +77,8 @@ std::unique_ptr<const Criterion> makeLetGoSpeedCriterion(Criterion::Terms terms,
                                                          const MissionContext&) {
     const double least_mps = kKnot_mps * in.number("least_kn", {-5.0, 5.0, "kn"});
     const double most_mps = kKnot_mps * in.number("most_kn", {-5.0, 5.0, "kn"});
+    if (in.sound() && most_mps < least_mps)
+        in.problem("most_kn", "is less than least_kn", "at least as much");
     return std::make_unique<LetGoSpeedCriterion>(std::move(terms), least_mps, most_mps);
 }
 

@@ -66,6 +66,7 @@ std::unique_ptr<const Task> makeAnchorTask(std::string id, std::string title, co
     goal.place = context.readPlace(in, "at");
     goal.within_m = in.number("within_m", {1.0, 2000.0, "m"});
     const std::vector<double> shackles = in.numbers("shackles", 2, {0.5, 20.0, "shackles"});
+    if (in.sound() && shackles[1] < shackles[0]) in.problem("shackles", "runs downwards", "[least, most]");
     goal.leastCable_m = kShackle_m * shackles[0];
     goal.mostCable_m = kShackle_m * shackles[1];
     goal.speed_mps = kKnot_mps * in.number("speed_kn", {0.05, 3.0, "kn"});

@@ -43,7 +43,7 @@ void EpisodeCriterion::observe(const Observation& now, const RouteProgress& rout
         memory.open = true;
         memory.lastBroken = now.time;
         if (terms().fails) memory.broken = true;
-    } else if (memory.open && now.time.seconds() - memory.lastBroken.seconds() > kEpisodeEnds_s) {
+    } else if (memory.open && (now.time - memory.lastBroken).seconds() > kEpisodeEnds_s) {
         close(now.time, memory, out);
     }
 }
@@ -52,7 +52,7 @@ void EpisodeCriterion::close(SimTime, CriterionMemory& memory, std::vector<Deduc
     if (!memory.open) return;
     memory.open = false;
     Deduction deduction = memory.worst;
-    const double lasted_s = memory.lastBroken.seconds() - deduction.time.seconds();
+    const double lasted_s = (memory.lastBroken - deduction.time).seconds();
     deduction.points = terms().points * (1.0 + std::floor(lasted_s / kCountsAgain_s));
     deduct(deduction, memory, out);
 }

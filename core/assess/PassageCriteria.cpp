@@ -69,7 +69,7 @@ private:
     std::vector<SpeedZone> m_zones;
 };
 
-/// Note: the time (s) of the first line let go.
+/// Note: the time (us, so that it is exact) of the first line let go.
 class TimeLimitCriterion final : public Criterion {
 public:
     TimeLimitCriterion(Terms terms, const std::array<double, kLevels>& limit_s)
@@ -86,11 +86,12 @@ public:
         }
         if (!memory.open && (now.linesFast != static_cast<std::uint8_t>(memory.note) || memory.note == 0.0)) {
             memory.open = true;
-            memory.note = now.time.seconds();
+            memory.note = static_cast<double>(now.time.us);
         }
         if (!memory.open || memory.broken) return;
+        const SimTime begun{static_cast<std::int64_t>(memory.note)};
         const double limit_s = m_limit_s[static_cast<std::size_t>(now.level - 1)],
-                     taken_s = now.time.seconds() - memory.note;
+                     taken_s = (now.time - begun).seconds();
         if (taken_s <= limit_s) return;
         deduct({now.time, now.position, taken_s, limit_s, terms().points}, memory, out);
         memory.broken = true;

@@ -20,7 +20,8 @@ public:
     }
 
 private:
-    bool side(NorthEast p) const { return cross(m_gate.b - m_gate.a, p - m_gate.a) > 0.0; }
+    /// On the line itself: the same side for `crosses`.
+    bool side(NorthEast p) const { return cross(m_gate.b - m_gate.a, p - m_gate.a) >= 0.0; }
 
     Segment m_gate;
     bool m_inside;

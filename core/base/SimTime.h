@@ -12,6 +12,8 @@ struct SimTime {
     static constexpr SimTime fromSeconds(std::int64_t s) { return {s * 1'000'000}; }
     constexpr double seconds() const { return static_cast<double>(us) * 1e-6; }
     friend constexpr auto operator<=>(const SimTime&, const SimTime&) = default;
+    /// Of two moments. Compare durations this way: differences of `seconds()` are rounded.
+    friend constexpr SimTime operator-(SimTime a, SimTime b) { return {a.us - b.us}; }
 };
 
 /// One step of a running exercise: 20 ms, always.

@@ -17,7 +17,7 @@ constexpr double kSmoothing =
 constexpr double kLookAhead_lengths = 1.5;
 constexpr double kLead_lengths = 0.8;  // the turn begins this much before the arc
 constexpr double kIntegralTime_s = 120.0;
-constexpr double kMostIntegral_rad = 20.0 * kDegree_rad;
+constexpr double kMostDrift_rad = 20.0 * kDegree_rad;  // that the integral takes out
 
 double speed(const ShipMotion& m) { return std::max(kSlowest_mps, std::abs(m.surge_mps)); }
 
@@ -34,11 +34,14 @@ double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double headin
 double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
                       double dt_s) {
     const double length_m = vessel.hull.lengthBp_m;
-    const RoutePath::Place here = path.nearest(m.position(), state.along_m, 50.0, 300.0);
+    const bool somewhere = state.along_m == kSomewhere_m;
+    const RoutePath::Place here = somewhere ? path.nearest(m.position(), 0.0, 0.0, path.length_m())
+                                            : path.nearest(m.position(), state.along_m, 50.0, 300.0);
     state.along_m = here.along_m;
     const double lookAhead_m = kLookAhead_lengths * length_m;
-    const double limit_ms = kMostIntegral_rad * lookAhead_m * kIntegralTime_s / 10.0;
-    if (std::abs(here.offTrack_m) < lookAhead_m) {
+    // As far off as the most drift that it can take out would carry her: nothing is gathered on the way in.
+    const double carried_m = std::tan(kMostDrift_rad) * lookAhead_m, limit_ms = carried_m * kIntegralTime_s;
+    if (std::abs(here.offTrack_m) < carried_m) {
         state.offTrackSum_ms = std::clamp(state.offTrackSum_ms + here.offTrack_m * dt_s, -limit_ms, limit_ms);
     }
     const RoutePath::Place ahead = path.at(here.along_m + kLead_lengths * length_m);

@@ -9,11 +9,13 @@
 namespace sagara::core {
 
 enum class AutopilotMode : std::uint8_t { Off, Heading, Track };
+/// The ship may be anywhere along the route: the nearest point of all of it is taken.
+inline constexpr double kSomewhere_m = -1.0;
 
 struct AutopilotState {
     AutopilotMode mode = AutopilotMode::Off;
     double setHeading_rad = 0.0;
-    double along_m = 0.0;         ///< place on the route, track mode
+    double along_m = 0.0;         ///< place on the route, track mode; kSomewhere_m: not yet looked for
     double offTrackSum_ms = 0.0;  ///< integral of the cross-track error, against wind and current
     double yawRate_radps = 0.0;   ///< of the ship, the swing of the waves smoothed out
 

@@ -62,10 +62,10 @@ public:
 
     bool run(const TrackStep& step) {
         if (m_memory.phase == 0) {
-            m_state.autopilot.mode = AutopilotMode::Track;
             m_state.autopilot.offTrackSum_ms = 0.0;
             enter(1);
         }
+        m_state.autopilot.mode = AutopilotMode::Track;  // also after he was away
         const RoutePath::Place here = m_path.at(m_state.autopilot.along_m);
         double wanted_mps =
             lowestSpeed_mps(step.speeds, m_state.motion.position(), here.leg, step.cruise_mps);

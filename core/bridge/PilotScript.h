@@ -29,7 +29,7 @@ struct RunStep {
     double rudder_rad = 0.0;
     std::array<double, kMostShafts> shafts_rps{};
     std::optional<double> headingChange_rad;  ///< turned this much from where the step began
-    std::optional<double> moved_m;            ///< midship this far from where the step began
+    std::optional<double> moved_m;            ///< run this far through the water since the step began
     std::optional<double> slowerThan_mps;     ///< through the water
     double atMost_s = 0.0;                    ///< in any case
 };

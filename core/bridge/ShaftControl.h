@@ -18,8 +18,8 @@ struct ShaftState {
     }
 };
 
-/// Runs the shaft for one tick towards its order: rate limit, a stand between ahead and astern. A failed
-/// engine lets it run down at a third of the rate.
+/// Runs the shaft for one tick towards its order: rate limit, a stand between ahead and astern (one that it
+/// has stood already counts). A failed engine lets it run down at a third of the rate.
 void runShaft(const PropulsionUnit& unit, ShaftState& shaft, double dt_s);
 
 }  // namespace sagara::core

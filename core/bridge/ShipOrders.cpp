@@ -38,12 +38,14 @@ void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order) {
 void obey(const OwnShip&, OwnShipState& state, const AutopilotOrder& order) {
     state.autopilot.mode = order.mode;
     state.autopilot.setHeading_rad = order.heading_rad;
+    state.autopilot.along_m = kSomewhere_m;
     state.autopilot.offTrackSum_ms = 0.0;
 }
 
 void obey(const OwnShip&, OwnShipState& state, const PilotOrder& order) {
     if (order.engage == state.pilot.engaged) return;
-    state.pilot.engaged = order.engage;  // he goes on where he left off
+    state.pilot.engaged = order.engage;  // he goes on with the step that he left
+    state.autopilot.along_m = kSomewhere_m;
     state.pilot.since_s = 0.0;
     if (!order.engage) state.autopilot.mode = AutopilotMode::Off;
 }

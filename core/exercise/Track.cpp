@@ -147,6 +147,7 @@ bool TrackCodec::decode(std::span<const std::byte>& bytes, std::size_t ships, st
         ship.observation.time = timeOfTick(sample.tick);
         ship.observation.position = ship.motion.position();
         ship.observation.heading_rad = ship.motion.heading_rad;
+        ship.observation.level = std::clamp(ship.observation.level, 1, kLevels);  // criteria index by it
     }
     return ok;
 }

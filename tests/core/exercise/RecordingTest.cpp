@@ -181,6 +181,10 @@ TEST_F(Recorded, CodecSurvivesAnyBytes) {
         TrackSample sample;
         std::span<const std::byte> rest(buffer);
         while (codec.decode(rest, 2, 3, sample)) {
+            for (const ShipSample& ship : sample.ships) {  // what comes of it can be graded
+                ASSERT_GE(ship.observation.level, 1);
+                ASSERT_LE(ship.observation.level, kLevels);
+            }
         }
     }
 }
