@@ -8,6 +8,8 @@
 
 namespace sagara::core {
 
+struct OwnShip;
+
 enum class AutopilotMode : std::uint8_t { Off, Heading, Track };
 /// The ship may be anywhere along the route: the nearest point of all of it is taken.
 inline constexpr double kSomewhere_m = -1.0;
@@ -30,12 +32,13 @@ struct AutopilotState {
 double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double heading_rad, double turn_radps);
 
 /// Rudder that keeps the ship on the path: course of the track a little ahead, turned towards the track by
-/// line of sight, with the turn of the arc fed forward. Moves state.along_m on.
-double steerTrack_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
+/// line of sight, with the turn of the arc fed forward. A ship slow to answer looks farther ahead. Moves
+/// state.along_m on.
+double steerTrack_rad(const OwnShip& ship, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
                       double dt_s);
 
 /// One tick of whichever mode is on: the rudder order, or the given one when off.
-double steerAutopilot_rad(const Vessel& vessel, const RoutePath& path, const ShipMotion& m,
+double steerAutopilot_rad(const OwnShip& ship, const RoutePath& path, const ShipMotion& m,
                           AutopilotState& state, double handOrder_rad, double dt_s);
 
 }  // namespace sagara::core

@@ -1,5 +1,8 @@
 #include "core/bridge/OwnShip.h"
 
+#include <algorithm>
+
+#include "core/base/Units.h"
 #include "core/motion/RungeKutta.h"
 
 namespace sagara::core {
@@ -22,6 +25,27 @@ double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics
     return m.surge_mps / shaft_rps;
 }
 
+/// Half ahead with a little rudder for a dozen lengths: the heading follows K (t - T) once the turn is
+/// steady.
+TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics, double advancePerRev_m) {
+    const double shaft_rps =
+        vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::HalfAhead)];
+    Actuators actuators;
+    actuators.shaft_rps.fill(shaft_rps);
+    actuators.rudder_rad = 5.0 * kDegree_rad;
+    ShipMotion m;
+    m.surge_mps = advancePerRev_m * shaft_rps;
+    constexpr double kLengths = 12.0, kSteps = 600.0;
+    const double pace_s = vessel.hull.lengthBp_m / m.surge_mps, step_s = kLengths * pace_s / kSteps;
+    for (int i = 0; i < static_cast<int>(kSteps); ++i) {
+        m = rk4Step(m, step_s,
+                    [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+    }
+    const double gain = m.yawRate_radps * pace_s / actuators.rudder_rad;
+    const double lag = kLengths - m.heading_rad / (m.yawRate_radps * pace_s);
+    return {std::clamp(gain, 0.1, 5.0), std::clamp(lag, 0.1, 10.0)};
+}
+
 }  // namespace
 
 OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves)
@@ -31,7 +55,8 @@ OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, co
       dynamics(vessel, waves),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
-      advancePerRev_m(advancePerRevolution_m(vessel, dynamics)) {}
+      advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),
+      turning(turningIndices(vessel, dynamics, advancePerRev_m)) {}
 
 OwnShipState startOf(const OwnShip& ship) {
     OwnShipState s;

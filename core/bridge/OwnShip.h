@@ -15,6 +15,12 @@
 
 namespace sagara::core {
 
+/// How she answers small rudder, after Nomoto (1957), in ship lengths run: r' = K' delta after a lag of T'.
+struct TurningIndices {
+    double gain = 1.0;  ///< K', r L/U per rudder
+    double lag = 1.0;   ///< T', in L/U
+};
+
 /// An own ship of the exercise: her vessel and where she begins. Immutable, part of the World.
 struct OwnShip {
     OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves);
@@ -28,6 +34,7 @@ struct OwnShip {
     ShipMotion start;
     std::array<double, kMostShafts> startShafts_rps{};
     double advancePerRev_m;  ///< steady speed ahead in calm water over shaft speed, from a run of the model
+    TurningIndices turning;  ///< half ahead, from a run of the model
     std::vector<std::string> lineIds;
     std::vector<LineLayout> lines;  ///< made fast at the start
 

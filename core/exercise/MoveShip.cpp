@@ -45,7 +45,7 @@ void addShips(const World& world, const State& state, std::size_t index, Obstacl
 Actuators runMachinery(const World& world, const OwnShip& ship, OwnShipState& s) {
     runPilot(world.pilot, world.path, ship, s, kTick_s);
     s.steering.order_rad =
-        steerAutopilot_rad(ship.vessel, world.path, s.motion, s.autopilot, s.steering.order_rad, kTick_s);
+        steerAutopilot_rad(ship, world.path, s.motion, s.autopilot, s.steering.order_rad, kTick_s);
     Actuators actuators;
     actuators.rudder_rad = runSteeringGear(ship.vessel.steering, s.steering, kTick_s);
     for (std::size_t i = 0; i < ship.shaftCount(); ++i) {

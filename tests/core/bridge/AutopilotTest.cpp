@@ -65,14 +65,14 @@ TEST_F(HeadingRudder, StaysFiniteForAShipWithoutWay) {
 TEST(AutopilotOff, LeavesTheWheelToTheHand) {
     BridgeShip s("patrol51", TelegraphStep::HalfAhead);
     AutopilotState off;
-    EXPECT_EQ(steerAutopilot_rad(s.ship.vessel, s.path, s.motion(), off, 0.123, kTick_s), 0.123);
+    EXPECT_EQ(steerAutopilot_rad(s.ship, s.path, s.motion(), off, 0.123, kTick_s), 0.123);
 }
 
 TEST(AutopilotTrack, WithoutARouteLeavesTheWheelToTheHand) {
     BridgeShip s("patrol51", TelegraphStep::HalfAhead);
     AutopilotState track;
     track.mode = AutopilotMode::Track;
-    EXPECT_EQ(steerAutopilot_rad(s.ship.vessel, RoutePath(), s.motion(), track, 0.123, kTick_s), 0.123);
+    EXPECT_EQ(steerAutopilot_rad(s.ship, RoutePath(), s.motion(), track, 0.123, kTick_s), 0.123);
 }
 
 // --- ships steered by it ---
@@ -83,6 +83,7 @@ struct Change {
     double from_deg, to_deg, turn_deg;
     double settles_lengths;  ///< distance run by then over the ship's length
 };
+void PrintTo(const Change& c, std::ostream* out) { *out << c.vessel << " to " << c.to_deg; }
 std::vector<Change> changes() {
     std::vector<Change> all;
     for (const char* vessel : {"patrol51", "esso-osaka"}) {
@@ -154,14 +155,16 @@ protected:
 };
 
 struct Beside {
+    const char* vessel;
     TelegraphStep step;
     double off_lengths;
 };
+void PrintTo(const Beside& c, std::ostream* out) { *out << c.vessel << ", " << c.off_lengths << " L off"; }
 class TrackModeFromTheSide : public TrackMode, public ::testing::WithParamInterface<Beside> {};
 
 TEST_P(TrackModeFromTheSide, ComesOntoTheTrackAndStays) {
     const Beside& c = GetParam();
-    BridgeShip s("patrol51", c.step);
+    BridgeShip s(c.vessel, c.step);
     const double length_m = s.ship.vessel.hull.lengthBp_m;
     s.path = test::pathOf({{0.0, 0.0}, {300.0 * length_m, 0.0}}, 0.0);
     const double off_m = c.off_lengths * length_m;
@@ -172,17 +175,26 @@ TEST_P(TrackModeFromTheSide, ComesOntoTheTrackAndStays) {
         farthest_m = std::max(farthest_m, std::abs(offTrack_m(s)));
         over_m = std::max(over_m, -offTrack_m(s) * std::copysign(1.0, off_m));
     });
-    EXPECT_LE(farthest_m, 1.02 * std::abs(off_m));
-    EXPECT_LT(over_m, kLessonCorridor_m);  // not out of it on the other side
+    EXPECT_LE(farthest_m, std::abs(off_m) + 0.1 * length_m);  // the stern kicks out first
+    // Not farther on the other side than the harbour corridor is wide for patrol51, in lengths.
+    EXPECT_LT(over_m, kLessonCorridor_m / 51.5 * length_m);
     s.run(40.0 * length_m / s.motion().surge_mps);
     EXPECT_LT(std::abs(offTrack_m(s)), 0.05 * length_m);
     EXPECT_NEAR(degrees(wrapPi(s.motion().heading_rad)), 0.0, 1.0);
 }
 INSTANTIATE_TEST_SUITE_P(Tracks, TrackModeFromTheSide,
-                         ::testing::Values(Beside{TelegraphStep::SlowAhead, 1.0},
-                                           Beside{TelegraphStep::HalfAhead, -1.0},
-                                           Beside{TelegraphStep::FullAhead, 1.0},
-                                           Beside{TelegraphStep::HalfAhead, 4.0}));
+                         ::testing::Values(Beside{"patrol51", TelegraphStep::SlowAhead, 1.0},
+                                           Beside{"patrol51", TelegraphStep::HalfAhead, -1.0},
+                                           Beside{"patrol51", TelegraphStep::FullAhead, 1.0},
+                                           Beside{"patrol51", TelegraphStep::HalfAhead, 4.0},
+                                           Beside{"esso-osaka", TelegraphStep::SlowAhead, 1.0},
+                                           Beside{"esso-osaka", TelegraphStep::HalfAhead, -1.0},
+                                           Beside{"esso-osaka", TelegraphStep::FullAhead, 4.0}),
+                         [](const auto& row) {
+                             const std::string ship =
+                                 row.param.vessel == std::string("patrol51") ? "patrol51" : "essoOsaka";
+                             return ship + std::to_string(row.index);
+                         });
 
 class TrackModeInACurrent : public TrackMode, public ::testing::WithParamInterface<double> {};
 TEST_P(TrackModeInACurrent, HeadsUpIntoItAndStaysOnTheTrack) {

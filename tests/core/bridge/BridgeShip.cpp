@@ -39,7 +39,7 @@ double BridgeShip::alongGround_mps() const {
 
 void BridgeShip::tick() {
     runPilot(script, path, ship, state, kTick_s);
-    state.steering.order_rad = steerAutopilot_rad(ship.vessel, path, state.motion, state.autopilot,
+    state.steering.order_rad = steerAutopilot_rad(ship, path, state.motion, state.autopilot,
                                                   state.steering.order_rad, kTick_s);
     Actuators actuators;
     actuators.rudder_rad = runSteeringGear(ship.vessel.steering, state.steering, kTick_s);
