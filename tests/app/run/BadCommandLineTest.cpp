@@ -67,6 +67,26 @@ TEST_F(BadCommandLine, AScenarioIsNeededAndMustBeKnown) {
     expectRefused(lesson("1", {"--resume", at("run.sgr")}), "excludes");
 }
 
+TEST_F(BadCommandLine, NumbersOutOfRangeAreRefused) {
+    for (const char* level : {"0", "6", "-1", "2.5", "three", ""})
+        expectRefused(lesson("1", {"--level", level}), "--level");
+    for (const char* seconds : {"-1", "-0.001", "1e9", "nan", "inf", "soon"})
+        expectRefused(lesson(seconds), "--duration-s");
+    for (const char* seed : {"-1", "1.5", "18446744073709551616", "x"})
+        expectRefused(lesson("1", {"--seed", seed}), "--seed");
+    for (const char* rate : {"0", "-1", "51", "nan"})
+        expectRefused(lesson("1", {"--track", at("t.csv"), "--track-hz", rate}), "--track-hz");
+}
+
+TEST_F(BadCommandLine, OptionsOfReplayAreChecked) {
+    simDone(lesson("2", {"--record", at("run.sgr")}));
+    expectRefused({"replay"}, "recording is required");
+    for (const char* second : {"-1", "nan", "later"})
+        expectRefused({"replay", at("run.sgr"), "--until-s", second}, "--until-s");
+    expectRefused({"replay", at("run.sgr"), "--rubric", at("none.json")}, "none.json: cannot be read");
+    expectRefused({"replay", at("run.sgr"), "--track-hz", "nan"}, "--track-hz");
+}
+
 TEST_F(BadCommandLine, ReplayNeedsARecording) {
     expectRefused({"replay", at("none.sgr")}, "none.sgr: cannot be read (No such file or directory)");
     expectRefused({"replay", m_folder.string()}, "is a folder, expected a file");
