@@ -41,26 +41,18 @@ void listRuns(db::Database& database) {
 
 int listDatabase(const Store& store, const std::string& what) {
     if (!store.database()) return tell(store.trouble()), kMachineFailed;
-    try {
-        if (what == "vessels") listDocuments(*store.database(), db::DocumentTable::Vessel);
-        if (what == "areas") listDocuments(*store.database(), db::DocumentTable::Area);
-        if (what == "scenarios") listDocuments(*store.database(), db::DocumentTable::Scenario);
-        if (what == "runs") listRuns(*store.database());
-        return kDone;
-    } catch (const db::DbError& e) {
-        return tell(e.what()), kMachineFailed;
-    }
+    if (what == "vessels") listDocuments(*store.database(), db::DocumentTable::Vessel);
+    if (what == "areas") listDocuments(*store.database(), db::DocumentTable::Area);
+    if (what == "scenarios") listDocuments(*store.database(), db::DocumentTable::Scenario);
+    if (what == "runs") listRuns(*store.database());
+    return kDone;
 }
 
 int backupDatabase(const Store& store, const std::filesystem::path& to) {
     if (!store.database()) return tell(store.trouble()), kMachineFailed;
-    try {
-        store.database()->backupTo(to);
-        print("The database was copied to " + to.string() + ".\n");
-        return kDone;
-    } catch (const db::DbError& e) {
-        return tell(e.what()), kMachineFailed;
-    }
+    store.database()->backupTo(to);
+    print("The database was copied to " + to.string() + ".\n");
+    return kDone;
 }
 
 }  // namespace sagara::run

@@ -7,7 +7,8 @@
 
 namespace sagara::run {
 
-/// Prints what the database holds: "vessels", "areas", "scenarios" or "runs". Returns the exit code.
+/// Prints what the database holds: "vessels", "areas", "scenarios" or "runs". Returns the exit code; throws
+/// DbError, as does backupDatabase.
 int listDatabase(const Store& store, const std::string& what);
 
 /// Copies the database while it is in use. Returns the exit code.

@@ -9,6 +9,7 @@
 #include "app/run/Lists.h"
 #include "app/run/RunExercise.h"
 #include "app/run/ValidateDocument.h"
+#include "db/DbError.h"
 
 namespace {
 
@@ -86,7 +87,11 @@ CLI::App* addReplay(CLI::App& app, Request& r) {
 int withStore(const Request& r, int (*work)(Store&, const Request&)) {
     auto store = Store::open(r.data);
     if (!store) return tell(store.error()), kBadRequest;
-    return work(**store, r);
+    try {
+        return work(**store, r);
+    } catch (const sagara::db::DbError& e) {
+        return tell(e.what()), kMachineFailed;
+    }
 }
 
 }  // namespace

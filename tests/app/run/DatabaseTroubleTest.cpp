@@ -145,6 +145,19 @@ TEST_F(DatabaseTrouble, ReadOnlyFolderIsRefusedBecauseNoRecordingCouldBeKept) {
     EXPECT_FALSE(fs::exists(at("late.sgr")));
 }
 
+TEST_F(DatabaseTrouble, AChangedDocumentIsToldAndNotUsed) {
+    Sqlite(database()).execute("UPDATE vessel SET document = replace(document, '51.5', '99.5')");
+    const std::string before = bytesOf(database());
+    const Outcome run = sailLate();
+    EXPECT_EQ(run.signal, 0);
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(linesOf(run.err).size(), 1u) << run.err;
+    EXPECT_NE(run.err.find("sagara.db: "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("patrol51"), std::string::npos) << run.err;
+    EXPECT_TRUE(bytesOf(database()) == before);
+}
+
 TEST_F(DatabaseTrouble, TheOtherCommandsSaySoAndLeaveItAlone) {
     Sqlite(database()).execute("PRAGMA user_version = 99");
     const std::string newer = bytesOf(database());
