@@ -107,5 +107,17 @@ TEST_F(DamagedRecording, SaysWhatAndWhere) {
                   std::to_string(begins[5] + 20) + "; what is whole, up to 00:03, is used\n");
 }
 
+TEST_F(DamagedRecording, WithoutItsFirstStateItIsRefusedAndTheReasonIsTheTrueOne) {
+    write("bad.sgr", m_bytes.substr(0, chunks()[1]));
+    for (const Arguments& arguments :
+         {Arguments{"replay", at("bad.sgr")}, Arguments{"run", "--resume", at("bad.sgr"), "--fast"}}) {
+        const Outcome outcome = sim(arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << outcome.out;
+        EXPECT_EQ(outcome.err.find("another build"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("bad.sgr: "), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    }
+}
+
 }  // namespace
 }  // namespace sagara::run::test
