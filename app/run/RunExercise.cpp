@@ -92,8 +92,10 @@ std::optional<Prepared> prepareResumed(const fs::path& path) {
     if (!world) return tell(world.error().text()), std::nullopt;
     auto state = core::stateAt(**world, *recording, recording->endTick);
     if (!state) return tell(path.string() + ": " + state.error()), std::nullopt;
-    tell(fmt::format("{}: {}; taken up again at {}", path.string(), recording->damage,
-                     clock(core::timeOfTick(recording->endTick).seconds())));
+    const std::size_t lost_bytes = bytes->size() - recording->whole_bytes;
+    tell(fmt::format("{}: {}; taken up again at {}{}", path.string(), recording->damage,
+                     clock(core::timeOfTick(recording->endTick).seconds()),
+                     lost_bytes ? fmt::format(", {} bytes after that are cut off", lost_bytes) : ""));
     return Prepared{std::move(world).value(), std::move(state).value(), recording->header,
                     recording->events,        fs::absolute(path),       recording->whole_bytes};
 }

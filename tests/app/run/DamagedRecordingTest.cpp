@@ -119,5 +119,17 @@ TEST_F(DamagedRecording, WithoutItsFirstStateItIsRefusedAndTheReasonIsTheTrueOne
     }
 }
 
+TEST_F(DamagedRecording, TakingUpARunSaysThatWhatCannotBeReadIsCutOff) {
+    const auto begins = chunks();
+    std::string flipped = m_bytes;
+    flipped[begins[6] + 30] = static_cast<char>(flipped[begins[6] + 30] ^ 4);
+    write("bad.sgr", flipped);
+    const Outcome run = simDone({"run", "--resume", at("bad.sgr"), "--fast", "--duration-s", "12"});
+    EXPECT_EQ(linesOf(run.err).at(0),
+              at("bad.sgr") + ": damaged at byte " + std::to_string(begins[6]) + " of " +
+                  std::to_string(m_bytes.size()) + "; taken up again at 00:04, " +
+                  std::to_string(m_bytes.size() - begins[6]) + " bytes after that are cut off");
+}
+
 }  // namespace
 }  // namespace sagara::run::test
