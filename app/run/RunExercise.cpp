@@ -14,6 +14,7 @@
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
+#include "db/PersonRepository.h"
 
 namespace sagara::run {
 namespace {
@@ -56,7 +57,17 @@ std::optional<std::vector<core::Command>> plannedCommands(const core::World& wor
     return planned;
 }
 
+/// The trainee's name as the roster keeps it; empty when nobody is named.
+std::optional<std::string> traineeName(const RunOptions& options) {
+    if (options.trainee.empty()) return std::string();
+    const auto name = db::personName(options.trainee);
+    if (!name) return tell("--trainee: " + std::string(db::toText(name.error()))), std::nullopt;
+    return name.value();
+}
+
 std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
+    const auto trainee = traineeName(options);
+    if (!trainee) return std::nullopt;
     auto scenario = findScenario(store, options.scenario);
     if (!scenario) return tell(scenario.error()), std::nullopt;
     const auto documents = core::collectDocuments(std::move(scenario).value(), store);
@@ -72,7 +83,7 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     p.header.seed = options.seed;
     p.header.level = options.level;
     p.header.runType = options.type;
-    p.header.trainee = options.trainee;
+    p.header.trainee = *trainee;
     p.header.startedUnix_s = now().unix_s;
     p.header.documents = *documents;
     p.header.planned = std::move(*planned);

@@ -60,5 +60,13 @@ TEST_F(RunOptions, TraineeAndRunAreFiled) {
     EXPECT_NE(runs[0].find("recordings/"), std::string::npos) << runs[0];
 }
 
+TEST_F(RunOptions, ATraineeWhomTheRosterCannotTakeIsRefused) {
+    const Outcome run = sim(lesson("1", {"--trainee", std::string(81, 'x')}));
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_NE(run.err.find("the name is too long, expected 1 to 80 characters"), std::string::npos)
+        << run.err;
+    EXPECT_TRUE(namesIn(data() / "recordings").empty());
+}
+
 }  // namespace
 }  // namespace sagara::run::test
