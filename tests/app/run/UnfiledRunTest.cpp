@@ -35,6 +35,18 @@ TEST_F(UnfiledRun, IsNotedBesideTheRecordings) {
     EXPECT_EQ(linesOf(simDone({"list", "runs"}).out).size(), 2u);
 }
 
+TEST_F(UnfiledRun, OfTheSameFileNameInAnotherFolderIsNotForgotten) {
+    fs::create_directories(at("a"));
+    fs::create_directories(at("b"));
+    simDone(lesson("2", {"--record", at("a/run.sgr")}));
+    simDone(lesson("3", {"--record", at("b/run.sgr")}));
+    mend();
+    simDone(lesson("1"));
+    const std::string runs = simDone({"list", "runs"}).out;
+    EXPECT_NE(runs.find("a/run.sgr"), std::string::npos) << runs;
+    EXPECT_NE(runs.find("b/run.sgr"), std::string::npos) << runs;
+}
+
 TEST_F(UnfiledRun, WhoseRecordingIsGoneIsToldEachTimeAndStopsNothing) {
     simDone(lesson("2", {"--record", at("gone.sgr")}));
     fs::remove(at("gone.sgr"));
