@@ -35,6 +35,15 @@ TEST_F(UnfiledRun, IsNotedBesideTheRecordings) {
     EXPECT_EQ(linesOf(simDone({"list", "runs"}).out).size(), 2u);
 }
 
+TEST_F(UnfiledRun, IsFiledByListingTheRuns) {
+    simDone(lesson("2", {"--trainee", "A. Perera"}));
+    mend();
+    const Outcome list = simDone({"list", "runs"});
+    EXPECT_NE(list.out.find("A. Perera"), std::string::npos) << list.out;
+    EXPECT_EQ(list.err.rfind("Filed the earlier run recordings/", 0), 0u) << list.err;
+    EXPECT_TRUE(notes().empty());
+}
+
 TEST_F(UnfiledRun, OfTheSameFileNameInAnotherFolderIsNotForgotten) {
     fs::create_directories(at("a"));
     fs::create_directories(at("b"));
