@@ -79,10 +79,7 @@ db::NewRun RunFiling::newRun(const core::RecordingHeader& header, const core::Wo
 }
 
 std::string RunFiling::begin(const db::NewRun& run) {
-    return attempt(m_store, [&](db::Database& database) {
-        db::RunRepository runs(database);
-        if (!runs.findByRecording(run.recordingFile)) runs.start(run);
-    });
+    return attempt(m_store, [&](db::Database& database) { db::beginRun(database, run); });
 }
 
 std::string RunFiling::end(const db::NewRun& run, const RunSummary& summary, bool finished) {
