@@ -33,6 +33,16 @@ TEST_F(RunOutput, JsonIsOneObjectWithTheKeysOfTheWorkOrder) {
     EXPECT_EQ(run["deductions"], nlohmann::json::array());
 }
 
+TEST_F(RunOutput, NumbersHaveNoMoreDigitsThanMeanSomething) {
+    const Outcome run = simDone(
+        lesson("300", {"--json", "--commands", SAGARA_ASSETS "/commands/basic-navigation-bad-run.json"}));
+    std::size_t digits = 0;  // behind a point
+    for (const char c : run.out) {
+        digits = c == '.' ? 1 : digits > 0 && c >= '0' && c <= '9' ? digits + 1 : 0;
+        EXPECT_LE(digits, 7u) << run.out;
+    }
+}
+
 TEST_F(RunOutput, TasksDoneCarryTheirTime) {
     const nlohmann::json run = simJson(lesson("150", {"--helm", "pilot"}));
     EXPECT_EQ(run["tasks"][0]["done"], true);
