@@ -1,3 +1,7 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -5,6 +9,8 @@
 
 namespace sagara::run::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kColumns =
     "time_s,ship,lat_deg,lon_deg,north_m,east_m,heave_m,roll_deg,pitch_deg,heading_deg,surge_mps,sway_mps,"
@@ -50,6 +56,21 @@ TEST_F(TrackFile, HasAsManyRowsASecondAsAskedFor) {
     EXPECT_EQ(std::stod(fine[1][0]), 0.2);
     simDone(lesson("20", {"--track", at("coarse.csv"), "--track-hz", "0.1"}));
     EXPECT_EQ(rowsOf("coarse.csv").size(), 3u);
+}
+
+TEST_F(TrackFile, MayBeAPipeOrALinkWhichStaysOne) {
+    ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+    const int pipe = ::open(at("pipe").c_str(), O_RDWR);  // holds more than these rows
+    simDone(lesson("3", {"--track", at("pipe"), "--record", at("run.sgr")}));
+    char head[7] = {};
+    EXPECT_EQ(::read(pipe, head, 6), 6);
+    EXPECT_STREQ(head, "time_s");
+    ::close(pipe);
+    EXPECT_TRUE(fs::is_fifo(at("pipe")));
+    fs::create_symlink("real.csv", at("link.csv"));
+    simDone({"replay", at("run.sgr"), "--track", at("link.csv")});
+    EXPECT_TRUE(fs::is_symlink(at("link.csv")));
+    EXPECT_EQ(rowsOf("real.csv").size(), 4u);
 }
 
 TEST_F(TrackFile, OfAReplayIsTheSame) {
