@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include "SimTest.h"
 #include "Sqlite.h"
 
@@ -67,7 +65,8 @@ TEST_F(DatabaseTrouble, LockedFromTheMiddleOfTheRunOn) {
     Program run(withData({"run", "--scenario", "basic-navigation", "--duration-s", "2", "--seed", "4",
                           "--record", at("late.sgr")}),
                 m_folder);
-    while (!fs::exists(at("late.sgr")) || fs::file_size(at("late.sgr")) < 2'020'000) ::usleep(20'000);
+    const std::string recording = at("late.sgr");
+    ASSERT_TRUE(happens([&] { return fs::exists(recording) && fs::file_size(recording) > 2'020'000; }));
     other.execute("BEGIN EXCLUSIVE");
     const Outcome ended = run.wait();
     other.execute("ROLLBACK");

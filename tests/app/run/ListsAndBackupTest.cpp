@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include "SimTest.h"
 #include "Sqlite.h"
 
@@ -51,7 +49,8 @@ TEST_F(ListsAndBackup, TheBackupOpensAndListsTheSame) {
 
 TEST_F(ListsAndBackup, TheBackupIsMadeWhileARunIsSailed) {
     Program run(withData({"run", "--scenario", "basic-navigation", "--duration-s", "2"}), m_folder);
-    while (!fs::exists(data() / "recordings") || fs::is_empty(data() / "recordings")) ::usleep(20'000);
+    const fs::path recordings = data() / "recordings";
+    ASSERT_TRUE(happens([&] { return fs::exists(recordings) && !fs::is_empty(recordings); }));
     simDone({"backup", at("copy.db")});
     EXPECT_EQ(run.wait().exitCode, 0);
     EXPECT_EQ(Sqlite(at("copy.db")).value("PRAGMA integrity_check"), "ok");

@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 namespace sagara::run::test {
 namespace {
@@ -63,6 +65,14 @@ Outcome Program::wait() {
     outcome.out = contentOf(m_out.get());
     outcome.err = contentOf(m_err.get());
     return outcome;
+}
+
+bool happens(const std::function<bool()>& what) {
+    for (int i = 0; i < 1500; ++i) {
+        if (what()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
 }
 
 void limitFileSize(std::size_t most_bytes) {

@@ -42,6 +42,9 @@ private:
     pid_t m_pid = -1;
 };
 
+/// Waits for what a running program is to do; false when it did not in half a minute.
+bool happens(const std::function<bool()>& what);
+
 /// For `before`: files grow to so many bytes, then the disk seems to be full.
 void limitFileSize(std::size_t most_bytes);
 /// For `before`: read-only files and folders are so for root too.

@@ -1,5 +1,4 @@
-#include <chrono>
-#include <thread>
+#include <csignal>
 
 #include "SimTest.h"
 
@@ -15,7 +14,7 @@ protected:
         Arguments arguments{"run", "--scenario", "basic-navigation", "--record", at("run.sgr")};
         arguments.insert(arguments.end(), more.begin(), more.end());
         Program run(withData(arguments), m_folder);
-        while (secondsIn("run.sgr") < 2) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        EXPECT_TRUE(happens([this] { return secondsIn("run.sgr") >= 2; }));
         run.kill();
         EXPECT_EQ(run.wait().signal, SIGKILL);
     }

@@ -60,7 +60,7 @@ TEST_F(TrackFile, HasAsManyRowsASecondAsAskedFor) {
 
 TEST_F(TrackFile, MayBeAPipeOrALinkWhichStaysOne) {
     ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
-    const int pipe = ::open(at("pipe").c_str(), O_RDWR);  // holds more than these rows
+    const int pipe = ::open(at("pipe").c_str(), O_RDWR | O_NONBLOCK);  // holds more than these rows
     simDone(lesson("3", {"--track", at("pipe"), "--record", at("run.sgr")}));
     char head[7] = {};
     EXPECT_EQ(::read(pipe, head, 6), 6);
