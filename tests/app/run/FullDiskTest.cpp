@@ -6,13 +6,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FullDisk : public SimTest {};
+class FullDisk : public SimTest {
+protected:
+    std::size_t someSecondsOfARecording() const {
+        simDone(lesson("1", {"--record", at("first.sgr")}));
+        return fs::file_size(at("first.sgr")) + 20'000;
+    }
+};
 
 TEST_F(FullDisk, UnderTheRecordingIsToldAndTheRunGoesOn) {
     const std::string hash = hashIn(simDone(lesson("60")));
-    const std::string before = bytesOf(database());
-    const Outcome run = sim(lesson("60", {"--record", at("run.sgr")}),
-                            [] { limitFileSize(2'060'000); });  // some seconds of it
+    const std::size_t limit = someSecondsOfARecording();
+    const Outcome run = sim(lesson("60", {"--record", at("run.sgr")}), [=] { limitFileSize(limit); });
     EXPECT_EQ(run.signal, 0);
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_EQ(hashIn(run), hash);
@@ -39,17 +44,19 @@ TEST_F(FullDisk, UnderANewDatabaseLeavesNoHalfOfOne) {
 }
 
 TEST_F(FullDisk, UnderTheDatabaseIsToldAndTheRunFiledLater) {
-    simDone(lesson("1"));
-    {
-        // its log cannot take a page more; SQLite's stand-in for a full disk reaches only its own connection
-        Sqlite database(this->database());
-        database.execute("DELETE FROM vessel");
-    }
-    const Outcome run = sim(lesson("2", {"--record", at("late.sgr")}), [] { limitFileSize(2'100'000); });
-    EXPECT_EQ(run.signal, 0);
+    const std::size_t limit = someSecondsOfARecording();
+    Sqlite reader(database()), writer(database());
+    reader.execute("BEGIN");
+    reader.value("SELECT count(*) FROM setting");  // so that the log cannot begin afresh
+    writer.execute("INSERT INTO setting VALUES ('big', printf('%.*c', 4000000, 'x'))");  // into the log
+    const Outcome run = sim(lesson("2", {"--record", at("late.sgr")}), [=] { limitFileSize(limit); });
+    reader.execute("ROLLBACK");
+    EXPECT_EQ(run.exitCode, 0);
     EXPECT_EQ(hashIn(run).size(), 16u);
-    EXPECT_NE(simDone({"list", "runs"}).out.find("late.sgr"), std::string::npos) << run.err;
-    EXPECT_EQ(Sqlite(database()).value("PRAGMA integrity_check"), "ok");
+    EXPECT_NE(run.err.find("sagara.db: "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("The run is kept in " + at("late.sgr")), std::string::npos) << run.err;
+    EXPECT_EQ(writer.value("PRAGMA integrity_check"), "ok");
+    EXPECT_EQ(simDone(lesson("1")).err, "Filed the earlier run " + at("late.sgr") + ".\n");
 }
 
 TEST_F(FullDisk, UnderTrackAndReportLeavesNoHalfOfThem) {
