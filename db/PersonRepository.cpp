@@ -31,14 +31,6 @@ bool hasControlCharacter(const QString& text) {
                        [](QChar c) { return c.category() == QChar::Other_Control; });
 }
 
-Result<std::string, AddError> checkedName(std::string_view name) {
-    const QString text = asText(name).trimmed();
-    if (!isUtf8(name) || hasControlCharacter(text)) return AddError::NameUnreadable;
-    if (text.isEmpty()) return AddError::NameEmpty;
-    if (text.toUcs4().size() > kLongestName_characters) return AddError::NameTooLong;
-    return text.toStdString();
-}
-
 PersonRecord readPerson(const Query& row) {
     return {.id = row.id<PersonId>(u"id"_s),
             .name = row.text(u"name"_s),
@@ -53,8 +45,16 @@ std::string_view toText(Role role) { return wordOf(kRoles, role); }
 std::optional<Role> parseRole(std::string_view text) { return valueOf(kRoles, text); }
 std::string_view toText(AddError error) { return wordOf(kAddErrors, error); }
 
+Result<std::string, AddError> personName(std::string_view text) {
+    const QString name = asText(text).trimmed();
+    if (!isUtf8(text) || hasControlCharacter(name)) return AddError::NameUnreadable;
+    if (name.isEmpty()) return AddError::NameEmpty;
+    if (name.toUcs4().size() > kLongestName_characters) return AddError::NameTooLong;
+    return name.toStdString();
+}
+
 Result<PersonId, AddError> PersonRepository::add(std::string_view name, Role role, core::Utc now) {
-    const Result<std::string, AddError> checked = checkedName(name);
+    const Result<std::string, AddError> checked = personName(name);
     if (!checked) return checked.error();
     const Query insert(
         m_db.connection(),

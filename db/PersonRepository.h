@@ -30,6 +30,9 @@ enum class AddError { NameTaken, NameEmpty, NameTooLong, NameUnreadable };
 /// For a person at the keyboard: what is wrong and what is accepted.
 std::string_view toText(AddError error);
 
+/// A name as the roster keeps it, without blanks around it; or why it cannot be one (not NameTaken).
+core::Result<std::string, AddError> personName(std::string_view text);
+
 /// People of this school. All SQL about table `person` is in this class's .cpp file.
 class PersonRepository final {
 public:

@@ -96,6 +96,13 @@ bool RunRepository::finish(RunId id, const RunResult& result) {
                    id) == 1;
 }
 
+void RunRepository::releaseRecording(std::string_view recordingFile) {
+    execute(m_db.connection(),
+            u"UPDATE run SET recording_file = recording_file || ' (replaced, run ' || id || ')' "
+            "WHERE recording_file = ?"_s,
+            recordingFile);
+}
+
 std::optional<RunRecord> RunRepository::find(RunId id) const {
     return readOne(Query(m_db.connection(), kSelect + u"WHERE id = ?"_s, id));
 }

@@ -62,6 +62,9 @@ public:
     RunId start(const NewRun& run);
     /// False, and nothing changed, when that run is not there or has ended already.
     bool finish(RunId id, const RunResult& result);
+    /// The file of that name holds another run from now on. A run it held before stays, and says so in place
+    /// of the name.
+    void releaseRecording(std::string_view recordingFile);
     std::optional<RunRecord> find(RunId id) const;
     std::optional<RunRecord> findByRecording(std::string_view recordingFile) const;
     std::vector<RunRecord> list(Page page = {}) const;  ///< newest first

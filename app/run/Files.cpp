@@ -38,16 +38,19 @@ core::Result<core::Bytes, FileError> readBinaryFile(const fs::path& path) {
 }
 
 std::optional<FileError> writeTextFile(const fs::path& path, std::string_view text) {
-    const fs::path temporary = path.string() + ".new";
+    std::error_code failed;
+    const fs::file_type type = fs::symlink_status(path, failed).type();
+    const bool replaced = type == fs::file_type::not_found || type == fs::file_type::regular;
+    const fs::path written = replaced ? fs::path(path.string() + ".new") : path;
     errno = 0;
-    std::ofstream file(temporary, std::ios::binary);
+    std::ofstream file(written, std::ios::binary);
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
     file.close();
-    std::error_code failed;
-    if (file) fs::rename(temporary, path, failed);
+    failed.clear();
+    if (file && replaced) fs::rename(written, path, failed);
     if (file && !failed) return std::nullopt;
     const FileError error = because(path, "cannot be written");
-    fs::remove(temporary, failed);
+    if (replaced) fs::remove(written, failed);
     return error;
 }
 

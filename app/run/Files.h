@@ -17,7 +17,8 @@ struct FileError {
 
 core::Result<std::string, FileError> readTextFile(const std::filesystem::path& path);
 core::Result<core::Bytes, FileError> readBinaryFile(const std::filesystem::path& path);
-/// Whole or not at all: under another name first, then renamed.
+/// Whole or not at all: under another name first, then renamed. A device, a pipe or a link is written through
+/// and stays what it is.
 std::optional<FileError> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace sagara::run

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/run/Console.h"
+#include "app/run/RunFiling.h"
 #include "app/run/RunOptions.h"
 #include "app/run/RunSummary.h"
 #include "db/DocumentRepository.h"
@@ -25,7 +26,10 @@ std::string gradeOf(const std::optional<db::Grade>& grade) {
     return fmt::format("{:.0f} {}", grade->score, grade->passed ? "passed" : "not passed");
 }
 
-void listRuns(db::Database& database) {
+/// Files those first that could not be when they were sailed: here they are looked for.
+void listRuns(Store& store) {
+    for (const std::string& message : RunFiling(store).fileNoted()) tell(message);
+    db::Database& database = *store.database();
     const db::PersonRepository people(database);
     const db::GradeRepository grades(database);
     for (const db::RunRecord& r : db::RunRepository(database).list()) {
@@ -39,28 +43,20 @@ void listRuns(db::Database& database) {
 
 }  // namespace
 
-int listDatabase(const Store& store, const std::string& what) {
+int listDatabase(Store& store, const std::string& what) {
     if (!store.database()) return tell(store.trouble()), kMachineFailed;
-    try {
-        if (what == "vessels") listDocuments(*store.database(), db::DocumentTable::Vessel);
-        if (what == "areas") listDocuments(*store.database(), db::DocumentTable::Area);
-        if (what == "scenarios") listDocuments(*store.database(), db::DocumentTable::Scenario);
-        if (what == "runs") listRuns(*store.database());
-        return kDone;
-    } catch (const db::DbError& e) {
-        return tell(e.what()), kMachineFailed;
-    }
+    if (what == "vessels") listDocuments(*store.database(), db::DocumentTable::Vessel);
+    if (what == "areas") listDocuments(*store.database(), db::DocumentTable::Area);
+    if (what == "scenarios") listDocuments(*store.database(), db::DocumentTable::Scenario);
+    if (what == "runs") listRuns(store);
+    return kDone;
 }
 
 int backupDatabase(const Store& store, const std::filesystem::path& to) {
     if (!store.database()) return tell(store.trouble()), kMachineFailed;
-    try {
-        store.database()->backupTo(to);
-        print("The database was copied to " + to.string() + ".\n");
-        return kDone;
-    } catch (const db::DbError& e) {
-        return tell(e.what()), kMachineFailed;
-    }
+    store.database()->backupTo(to);
+    print("The database was copied to " + to.string() + ".\n");
+    return kDone;
 }
 
 }  // namespace sagara::run

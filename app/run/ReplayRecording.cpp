@@ -43,7 +43,7 @@ int replayRecording(const ReplayOptions& options) {
         options.until_s ? std::llround(*options.until_s * core::kTicksPerSecond) : recording->endTick;
     TrackOutput track(world, options.track, options.track_Hz);
     const double begin_s = wallClock_s();
-    if (recording->sameBuild() && !recording->states.empty()) {
+    if (recording->sameBuild()) {
         if (const auto first = core::stateAt(world, *recording, recording->states.front().tick))
             track.add(*first);
     }

@@ -14,6 +14,7 @@
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
+#include "db/PersonRepository.h"
 
 namespace sagara::run {
 namespace {
@@ -56,7 +57,17 @@ std::optional<std::vector<core::Command>> plannedCommands(const core::World& wor
     return planned;
 }
 
+/// The trainee's name as the roster keeps it; empty when nobody is named.
+std::optional<std::string> traineeName(const RunOptions& options) {
+    if (options.trainee.empty()) return std::string();
+    const auto name = db::personName(options.trainee);
+    if (!name) return tell("--trainee: " + std::string(db::toText(name.error()))), std::nullopt;
+    return name.value();
+}
+
 std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
+    const auto trainee = traineeName(options);
+    if (!trainee) return std::nullopt;
     auto scenario = findScenario(store, options.scenario);
     if (!scenario) return tell(scenario.error()), std::nullopt;
     const auto documents = core::collectDocuments(std::move(scenario).value(), store);
@@ -72,7 +83,7 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     p.header.seed = options.seed;
     p.header.level = options.level;
     p.header.runType = options.type;
-    p.header.trainee = options.trainee;
+    p.header.trainee = *trainee;
     p.header.startedUnix_s = now().unix_s;
     p.header.documents = *documents;
     p.header.planned = std::move(*planned);
@@ -92,8 +103,10 @@ std::optional<Prepared> prepareResumed(const fs::path& path) {
     if (!world) return tell(world.error().text()), std::nullopt;
     auto state = core::stateAt(**world, *recording, recording->endTick);
     if (!state) return tell(path.string() + ": " + state.error()), std::nullopt;
-    tell(fmt::format("{}: {}; taken up again at {}", path.string(), recording->damage,
-                     clock(core::timeOfTick(recording->endTick).seconds())));
+    const std::size_t lost_bytes = bytes->size() - recording->whole_bytes;
+    tell(fmt::format("{}: {}; taken up again at {}{}", path.string(), recording->damage,
+                     clock(core::timeOfTick(recording->endTick).seconds()),
+                     lost_bytes ? fmt::format(", {} bytes after that are cut off", lost_bytes) : ""));
     return Prepared{std::move(world).value(), std::move(state).value(), recording->header,
                     recording->events,        fs::absolute(path),       recording->whole_bytes};
 }

@@ -1,5 +1,7 @@
 #include "app/run/RunFiling.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/run/Files.h"
@@ -30,6 +32,16 @@ std::optional<db::PersonId> personOf(db::Database& database, const std::string& 
     if (const auto known = people.findByName(name)) return known->id;
     const auto added = people.add(name, db::Role::Trainee, now());
     return added ? std::optional(added.value()) : std::nullopt;
+}
+
+/// X.unfiled, or X-2.unfiled and so on where that speaks of another recording of the same file name.
+fs::path notePath(const fs::path& recording, const std::string& text) {
+    for (int i = 1;; ++i) {
+        fs::path path = recording;
+        path += i == 1 ? ".unfiled" : fmt::format("-{}.unfiled", i);
+        const auto known = readTextFile(path);
+        if (!known || *known == text) return path;
+    }
 }
 
 db::EndedRun endedRun(const db::NewRun& run, const RunSummary& summary, bool finished) {
@@ -67,10 +79,7 @@ db::NewRun RunFiling::newRun(const core::RecordingHeader& header, const core::Wo
 }
 
 std::string RunFiling::begin(const db::NewRun& run) {
-    return attempt(m_store, [&](db::Database& database) {
-        db::RunRepository runs(database);
-        if (!runs.findByRecording(run.recordingFile)) runs.start(run);
-    });
+    return attempt(m_store, [&](db::Database& database) { db::beginRun(database, run); });
 }
 
 std::string RunFiling::end(const db::NewRun& run, const RunSummary& summary, bool finished) {
@@ -82,8 +91,9 @@ std::string RunFiling::end(const db::NewRun& run, const RunSummary& summary, boo
 
 std::string RunFiling::note(const std::string& recordingName) {
     const fs::path recording = m_store.folder().pathOf(recordingName);
-    const fs::path notePath = m_store.folder().recordings() / (recording.filename().string() + ".unfiled");
-    const auto failed = writeTextFile(notePath, recordingName + "\n");
+    const std::string text = recordingName + "\n";
+    const auto failed =
+        writeTextFile(notePath(m_store.folder().recordings() / recording.filename(), text), text);
     if (failed)
         return "The run is kept in " + recording.string() +
                " but could not be noted for filing: " + failed->message;

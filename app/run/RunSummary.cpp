@@ -11,8 +11,9 @@ namespace {
 using core::AssessmentEvent;
 using Json = nlohmann::ordered_json;
 
-/// Not more digits than mean something.
-double rounded(double value, double step) { return std::round(value / step) * step; }
+/// Not more digits than mean something. Divides by a power of ten, so that the result is the double nearest
+/// to those digits and prints as them.
+double rounded(double value, double perUnit) { return std::round(value * perUnit) / perUnit; }
 
 std::string whyNotPassed(const core::Mission& mission, const core::Assessment& assessment,
                          const RunSummary& summary) {
@@ -31,7 +32,7 @@ Json taskArray(const RunSummary& summary) {
     for (const RunSummary::Task& t : summary.tasks) {
         array.push_back({{"id", t.id},
                          {"done", t.done},
-                         {"time_s", t.done ? Json(rounded(t.time_s, 0.01)) : Json(nullptr)}});
+                         {"time_s", t.done ? Json(rounded(t.time_s, 100.0)) : Json(nullptr)}});
     }
     return array;
 }
@@ -41,13 +42,13 @@ Json lossArray(const RunSummary& summary) {
     for (const RunSummary::Loss& l : summary.losses) {
         array.push_back({{"id", l.id},
                          {"title", l.title},
-                         {"time_s", rounded(l.time_s, 0.01)},
-                         {"lat_deg", rounded(l.geo.lat_deg, 1e-6)},
-                         {"lon_deg", rounded(l.geo.lon_deg, 1e-6)},
-                         {"value", rounded(l.value, 1e-3)},
-                         {"limit", rounded(l.limit, 1e-3)},
+                         {"time_s", rounded(l.time_s, 100.0)},
+                         {"lat_deg", rounded(l.geo.lat_deg, 1e6)},
+                         {"lon_deg", rounded(l.geo.lon_deg, 1e6)},
+                         {"value", rounded(l.value, 1000.0)},
+                         {"limit", rounded(l.limit, 1000.0)},
                          {"unit", l.unit},
-                         {"points", rounded(l.points, 0.01)},
+                         {"points", rounded(l.points, 100.0)},
                          {"fails", l.fails}});
     }
     return array;
@@ -133,11 +134,11 @@ std::string deductionsJson(const RunSummary& summary) { return lossArray(summary
 std::string toJson(const RunSummary& s) {
     const Json json{{"scenario", s.scenario},
                     {"passed", s.passed},
-                    {"score", rounded(s.score, 0.01)},
+                    {"score", rounded(s.score, 100.0)},
                     {"tasks", taskArray(s)},
                     {"deductions", lossArray(s)},
-                    {"sim_time_s", rounded(s.simTime_s, 0.001)},
-                    {"wall_time_s", rounded(s.wallTime_s, 0.001)},
+                    {"sim_time_s", rounded(s.simTime_s, 1000.0)},
+                    {"wall_time_s", rounded(s.wallTime_s, 1000.0)},
                     {"state_hash", s.stateHash},
                     {"why_not", s.whyNot},
                     {"graded_from", s.gradedFrom}};

@@ -1,15 +1,21 @@
 // sagara-sim: exercises without a screen. Options here, work in app/run.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <QGuiApplication>
+#include <charconv>
 
 #include "app/run/Console.h"
 #include "app/run/Lists.h"
 #include "app/run/RunExercise.h"
 #include "app/run/ValidateDocument.h"
+#include "db/DbError.h"
 
 namespace {
 
 using namespace sagara::run;
+
+constexpr double kLongest_s = 7.0 * 86400.0;
 
 /// Everything the command line can say.
 struct Request {
@@ -22,23 +28,38 @@ struct Request {
     std::filesystem::path backup;
 };
 
+/// A number from least to most. CLI11 lets NaN pass, and takes a seed of -1 for another one.
+template <typename T>
+CLI::Validator between(T least, T most) {
+    const std::string accepted = fmt::format("{} to {}", least, most);
+    return {[=](std::string& text) {
+                T value{};
+                const char* end = text.data() + text.size();
+                const auto [stop, error] = std::from_chars(text.data(), end, value);
+                const bool good = error == std::errc() && stop == end && value >= least && value <= most;
+                return good ? std::string() : "is " + text + ", expected " + accepted;
+            },
+            accepted};
+}
+
 CLI::App* addRun(CLI::App& app, Request& r) {
     CLI::App* run = app.add_subcommand("run", "sail an exercise, record and grade it");
     auto* scenario = run->add_option("--scenario", r.run.scenario, "id in the database, or a file");
     run->add_option("--helm", r.helm, "who sails: the scripted pilot, or nobody")
         ->check(CLI::IsMember({"pilot", "none"}));
-    run->add_option("--level", r.run.level, "difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
+    run->add_option("--level", r.run.level, "difficulty, 1 to 5 (3)")->check(between(1, 5));
     run->add_option("--commands", r.run.commands, "command file");
     run->add_flag("--fast", r.run.fast, "as fast as the machine can");
     run->add_option("--duration-s", r.run.duration_s, "end after so many seconds")
-        ->check(CLI::Range(0.0, 7.0 * 86400.0));
-    run->add_option("--seed", r.run.seed, "of sea and gusts (1)");
+        ->check(between(0.0, kLongest_s));
+    run->add_option("--seed", r.run.seed, "of sea and gusts (1)")
+        ->check(between<std::uint64_t>(0, UINT64_MAX));
     run->add_option("--trainee", r.run.trainee, "who sails, for the record; added to the roster when new");
     run->add_option("--type", r.run.type, "familiarise, train, assess, self-study or demo (train)")
         ->check(CLI::IsMember({"familiarise", "train", "assess", "self-study", "demo"}));
     run->add_option("--record", r.run.record, "recording file (else in the data folder)");
     run->add_option("--track", r.run.track, "track file, CSV");
-    run->add_option("--track-hz", r.run.track_Hz, "rows a second in it (1)")->check(CLI::Range(0.01, 50.0));
+    run->add_option("--track-hz", r.run.track_Hz, "rows a second in it (1)")->check(between(0.01, 50.0));
     run->add_option("--report", r.run.report, "report file, PDF");
     auto* resume = run->add_option("--resume", r.run.resume, "take up a recording that was broken off");
     run->add_flag("--json", r.run.json, "one JSON object on standard output");
@@ -53,11 +74,10 @@ CLI::App* addReplay(CLI::App& app, Request& r) {
     CLI::App* replay =
         app.add_subcommand("replay", "run a recording again to the bit, or grade it by another rubric");
     replay->add_option("recording", r.replay.recording, "recording file")->required();
-    replay->add_option("--until-s", r.replay.until_s, "stop at this second")
-        ->check(CLI::Range(0.0, 7.0 * 86400.0));
+    replay->add_option("--until-s", r.replay.until_s, "stop at this second")->check(between(0.0, kLongest_s));
     replay->add_option("--track", r.replay.track, "track file, CSV");
     replay->add_option("--track-hz", r.replay.track_Hz, "rows a second in it (1)")
-        ->check(CLI::Range(0.01, 50.0));
+        ->check(between(0.01, 50.0));
     replay->add_option("--rubric", r.replay.rubric, "grade by the mission of this rubric file");
     replay->add_option("--report", r.replay.report, "report file, PDF");
     replay->add_flag("--json", r.replay.json, "one JSON object on standard output");
@@ -67,7 +87,11 @@ CLI::App* addReplay(CLI::App& app, Request& r) {
 int withStore(const Request& r, int (*work)(Store&, const Request&)) {
     auto store = Store::open(r.data);
     if (!store) return tell(store.error()), kBadRequest;
-    return work(**store, r);
+    try {
+        return work(**store, r);
+    } catch (const sagara::db::DbError& e) {
+        return tell(e.what()), kMachineFailed;
+    }
 }
 
 }  // namespace

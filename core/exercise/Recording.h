@@ -118,7 +118,7 @@ struct Recording {
     bool sameBuild() const;
 };
 
-/// Total: any bytes give a recording or the reason why there is none (no header).
+/// Total: any bytes give a recording, which has a state at least, or the reason why there is none.
 Result<Recording, std::string> readRecording(std::span<const std::byte> bytes);
 
 }  // namespace sagara::core

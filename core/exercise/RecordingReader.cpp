@@ -19,16 +19,19 @@ public:
         }
         m_at = kRecordingMagic.size();
         while (m_recording.damage.empty() && m_at < m_bytes.size()) readChunk();
-        if (!m_haveHeader) {
-            return "has no whole header, so nothing of the run can be read (" + m_recording.damage + ")";
-        }
-        m_recording.whole_bytes = m_at;
         if (m_recording.damage.empty() && !m_recording.end)
             m_recording.damage = "the end is missing: the run was broken off";
+        if (!m_haveHeader) return nothingWithout("header");
+        if (m_recording.states.empty()) return nothingWithout("state to begin from");
+        m_recording.whole_bytes = m_at;
         return std::move(m_recording);
     }
 
 private:
+    std::string nothingWithout(const std::string& part) const {
+        return "has no whole " + part + ", so nothing of the run can be read (" + m_recording.damage + ")";
+    }
+
     void damage(const std::string& what) {
         m_recording.damage =
             what + " at byte " + std::to_string(m_at) + " of " + std::to_string(m_bytes.size());

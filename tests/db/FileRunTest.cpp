@@ -35,6 +35,20 @@ TEST_F(Filing, TheSameRecordingAgainChangesNothing) {
     EXPECT_EQ(m_grades.find(id), good());
 }
 
+TEST_F(Filing, ARecordingThatReplacedAnotherRunsIsFiledAsARunOfItsOwn) {
+    const RunId first = fileRun(m_db, {lesson(), ended(), good()});
+    NewRun other = lesson();
+    other.started = kNoon;
+    const RunId second = fileRun(m_db, {other, ended(), good()});
+    EXPECT_NE(second, first);
+    EXPECT_EQ(m_runs.find(first)->start.recordingFile, "recordings/a.sagarec (replaced, run 1)");
+    EXPECT_EQ(m_runs.findByRecording("recordings/a.sagarec")->id, second);
+    EXPECT_EQ(fileRun(m_db, {other, ended(), good()}), second);
+    const RunId third = beginRun(m_db, other);  // even within the same second
+    EXPECT_EQ(m_runs.findByRecording("recordings/a.sagarec")->id, third);
+    EXPECT_EQ(m_runs.count(), 3);
+}
+
 TEST_F(Filing, CompletesARunWhoseEndCouldNotBeStored) {
     const RunId id = m_runs.start(lesson());
     EXPECT_EQ(fileRun(m_db, {lesson(), ended(), good()}), id);

@@ -97,6 +97,20 @@ TEST_F(Recorded, CutOffAnywhereItIsReadAsFarAsItIsWhole) {
     }
 }
 
+TEST_F(Recorded, CutOffBeforeItsFirstStateItIsNone) {
+    const std::size_t header_bytes = 13 + toBytes(readRecording(bytes)->header).size();
+    const auto recording = readRecording(std::span(bytes).first(8 + header_bytes));
+    ASSERT_FALSE(recording);
+    EXPECT_EQ(
+        recording.error(),
+        "has no whole state to begin from, so nothing of the run can be read (the end is missing: the run "
+        "was broken off)");
+    EXPECT_EQ(
+        readRecording(std::span(bytes).first(8)).error(),
+        "has no whole header, so nothing of the run can be read (the end is missing: the run was broken "
+        "off)");
+}
+
 TEST_F(Recorded, AFlippedBitIsFoundAndWhatIsBeforeItIsKept) {
     const std::size_t first = bytes.size() - 60'000;
     Random random(4);
