@@ -13,13 +13,12 @@ constexpr double kSlowest_mps = 1.0;  // below, the rudder hardly works and gain
 constexpr double kHeadingGain = 1.2;  // rudder per heading error
 constexpr double kRateGain = 0.7;     // rudder per r L/U
 constexpr double kTurnGain = 1.0;     // rudder per wanted r L/U: K' of a well-behaved ship is about 1
-constexpr double kSmoothing =
-    0.25;  // time constant of the rate of turn in L/U: waves are not steered against
+// Time constant of the rate of turn in L/U: waves are not steered against.
+constexpr double kSmoothing = 0.25;
 constexpr double kLeastLookAhead_lengths = 1.5;
-constexpr double kLookAhead =
-    2.4;  // over the length she runs while a heading settles by a radian of its swing
-constexpr double kLead_lengths = 0.8;                  // the turn begins this much before the arc
-constexpr double kIntegralTime = 12.0;                 // in L/U
+constexpr double kLookAhead = 2.4;      // over 1 / (natural frequency of the heading), in lengths run
+constexpr double kLead_lengths = 0.8;   // the turn begins this much before the arc
+constexpr double kIntegralTime = 12.0;  // in L/U
 constexpr double kMostDrift_rad = 20.0 * kDegree_rad;  // that the integral takes out
 
 /// Line of sight is stable while the heading follows it faster than it turns: heading hold with our gain has
