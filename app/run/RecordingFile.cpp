@@ -1,5 +1,9 @@
 #include "app/run/RecordingFile.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 
@@ -13,20 +17,22 @@ std::string because(const fs::path& path) {
 
 }  // namespace
 
-std::unique_ptr<RecordingFile> RecordingFile::create(const fs::path& path, std::string& trouble) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) trouble = because(path);
-    return file ? std::unique_ptr<RecordingFile>(new RecordingFile(path, file)) : nullptr;
-}
-
-std::unique_ptr<RecordingFile> RecordingFile::append(const fs::path& path, std::size_t whole_bytes,
-                                                     std::string& trouble) {
-    std::error_code failed;
-    fs::resize_file(path, whole_bytes, failed);
-    errno = failed.value();
-    std::FILE* file = failed ? nullptr : std::fopen(path.c_str(), "ab");
-    if (!file) trouble = because(path);
-    return file ? std::unique_ptr<RecordingFile>(new RecordingFile(path, file)) : nullptr;
+std::unique_ptr<RecordingFile> RecordingFile::open(const fs::path& path, std::size_t whole_bytes,
+                                                   std::string& trouble) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    std::unique_ptr<RecordingFile> file;
+    if (descriptor >= 0) file.reset(new RecordingFile(path, ::fdopen(descriptor, "ab")));
+    // A file system without locks and a device without a length are no trouble.
+    if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        trouble = path.string() + ": another program is writing this recording; wait until it has ended";
+        return nullptr;
+    }
+    if (descriptor < 0 ||
+        (fs::is_regular_file(path) && ::ftruncate(descriptor, static_cast<off_t>(whole_bytes)))) {
+        trouble = because(path);
+        return nullptr;
+    }
+    return file;
 }
 
 void RecordingFile::write(std::span<const std::byte> bytes) {

@@ -9,15 +9,14 @@
 namespace sagara::run {
 
 /// The file a recording grows in. Every chunk is handed to the system at once, so that a killed program loses
-/// nothing that was written. When the disk fails the rest is dropped and `trouble` says why: the run itself
-/// goes on.
+/// nothing that was written. One program at a time may write it. When the disk fails the rest is dropped and
+/// `trouble` says why: the run itself goes on.
 class RecordingFile {
 public:
-    /// A new file; an old one of that name is replaced.
-    static std::unique_ptr<RecordingFile> create(const std::filesystem::path& path, std::string& trouble);
-    /// An old one, cut to its whole part, to go on writing.
-    static std::unique_ptr<RecordingFile> append(const std::filesystem::path& path, std::size_t whole_bytes,
-                                                 std::string& trouble);
+    /// The file of that name, made when it is not there, cut to so many bytes: 0 for a new run, its whole
+    /// part for one that is taken up again. Null, and the trouble told, when it cannot be written.
+    static std::unique_ptr<RecordingFile> open(const std::filesystem::path& path, std::size_t whole_bytes,
+                                               std::string& trouble);
 
     void write(std::span<const std::byte> bytes);
     const std::string& trouble() const { return m_trouble; }

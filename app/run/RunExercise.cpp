@@ -41,19 +41,32 @@ fs::path newRecordingPath(const Store& store, const std::string& scenario) {
     }
 }
 
-/// Commands known from the start: the pilot's and the file's, by time.
+void sortByTime(std::vector<core::Command>& commands) {
+    std::stable_sort(commands.begin(), commands.end(),
+                     [](const auto& a, const auto& b) { return a.tick < b.tick; });
+}
+
+/// The order to end at the second asked for, if any.
+void addEnd(const std::optional<double>& duration_s, std::vector<core::Command>& commands) {
+    if (!duration_s) return;
+    const double tick = std::ceil(*duration_s * core::kTicksPerSecond);
+    commands.push_back({static_cast<std::int64_t>(tick), 0, core::FinishOrder{}});
+    sortByTime(commands);
+}
+
+/// Commands known from the start: the pilot's, the file's and the end, by time.
 std::optional<std::vector<core::Command>> plannedCommands(const core::World& world,
                                                           const RunOptions& options) {
     std::vector<core::Command> planned;
     if (options.pilot) planned.push_back({0, 0, core::PilotOrder{true}});
+    addEnd(options.duration_s, planned);
     if (!options.commands) return planned;
     const auto text = readTextFile(*options.commands);
     if (!text) return tell(text.error().message), std::nullopt;
     auto loaded = core::loadCommands(options.commands->string(), *text, core::orderNames(world));
     if (!loaded) return tell(loaded.error().text()), std::nullopt;
     planned.insert(planned.end(), loaded->begin(), loaded->end());
-    std::stable_sort(planned.begin(), planned.end(),
-                     [](const auto& a, const auto& b) { return a.tick < b.tick; });
+    sortByTime(planned);
     return planned;
 }
 
@@ -92,7 +105,8 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     return p;
 }
 
-std::optional<Prepared> prepareResumed(const fs::path& path) {
+std::optional<Prepared> prepareResumed(const RunOptions& options) {
+    const fs::path& path = *options.resume;
     const auto bytes = readBinaryFile(path);
     if (!bytes) return tell(bytes.error().message), std::nullopt;
     const auto recording = core::readRecording(*bytes);
@@ -107,7 +121,9 @@ std::optional<Prepared> prepareResumed(const fs::path& path) {
     tell(fmt::format("{}: {}; taken up again at {}{}", path.string(), recording->damage,
                      clock(core::timeOfTick(recording->endTick).seconds()),
                      lost_bytes ? fmt::format(", {} bytes after that are cut off", lost_bytes) : ""));
-    return Prepared{std::move(world).value(), std::move(state).value(), recording->header,
+    core::RecordingHeader header = recording->header;
+    addEnd(options.duration_s, header.planned);
+    return Prepared{std::move(world).value(), std::move(state).value(), std::move(header),
                     recording->events,        fs::absolute(path),       recording->whole_bytes};
 }
 
@@ -135,16 +151,13 @@ std::string progressLine(const core::World& world, const core::State& state, dou
                        core::scoreOf(state.assessment), pace);
 }
 
-/// The loop: until the exercise is over, or the time asked for is.
-void sail(core::Session& session, const RunOptions& options, std::vector<core::Event>& events,
-          TrackOutput& track) {
-    const Pace pace(options.fast, session.state());
+/// The loop: until the exercise is over.
+void sail(core::Session& session, bool fast, std::vector<core::Event>& events, TrackOutput& track) {
+    const Pace pace(fast, session.state());
     Progress progress;
     const double begin_s = wallClock_s(), beganAt_s = session.state().time().seconds();
     track.add(session.state());
     while (!session.over()) {
-        const bool timeUp = options.duration_s && session.state().time().seconds() >= *options.duration_s;
-        if (timeUp) session.give(0, core::FinishOrder{});
         const auto now = session.step();
         events.insert(events.end(), now.begin(), now.end());
         track.add(session.state());
@@ -162,19 +175,31 @@ void tellStopped(const core::World& world, const std::vector<core::Event>& event
     }
 }
 
+/// Whether every file asked for has a folder to lie in: to be known before the run, not after it.
+bool haveFolders(const RunOptions& options) {
+    bool all = true;
+    for (const auto& file : {options.record, options.track, options.report}) {
+        if (!file) continue;
+        const fs::path folder = fs::absolute(*file).parent_path();
+        if (fs::is_directory(folder)) continue;
+        tell(file->string() + " cannot be written: there is no folder " + folder.string());
+        all = false;
+    }
+    return all;
+}
+
 }  // namespace
 
 int runExercise(Store& store, const RunOptions& options) {
     RunFiling filing(store);
     if (!store.trouble().empty()) tell(store.trouble());
     for (const std::string& message : filing.fileNoted()) tell(message);
-    auto prepared = options.resume ? prepareResumed(*options.resume) : prepareNew(store, options);
+    if (!haveFolders(options)) return kBadRequest;
+    auto prepared = options.resume ? prepareResumed(options) : prepareNew(store, options);
     if (!prepared) return kBadRequest;
 
     std::string trouble;
-    auto file = prepared->whole_bytes
-                    ? RecordingFile::append(prepared->recording, *prepared->whole_bytes, trouble)
-                    : RecordingFile::create(prepared->recording, trouble);
+    auto file = RecordingFile::open(prepared->recording, prepared->whole_bytes.value_or(0), trouble);
     if (!file) return tell(trouble), kMachineFailed;
     core::RecordingWriter writer([&](std::span<const std::byte> bytes) { file->write(bytes); });
     const db::NewRun run = filing.newRun(prepared->header, *prepared->world, prepared->recording);
@@ -189,7 +214,7 @@ int runExercise(Store& store, const RunOptions& options) {
     TrackOutput track(*prepared->world, options.track, options.track_Hz);
     const double begin_s = wallClock_s();
     core::Session session(prepared->world, std::move(prepared->state), prepared->header.planned, &writer);
-    sail(session, options, prepared->events, track);
+    sail(session, options.fast, prepared->events, track);
     writer.end(session.state());
     tellStopped(*prepared->world, prepared->events);
 

@@ -42,6 +42,14 @@ CLI::Validator between(T least, T most) {
             accepted};
 }
 
+/// What a recording that is taken up again brings along itself.
+void tellUnused(const CLI::App& run) {
+    for (const char* option :
+         {"--scenario", "--helm", "--level", "--commands", "--seed", "--trainee", "--type", "--record"}) {
+        if (run.count(option)) tell(std::string(option) + " is not used: --resume has it from the recording");
+    }
+}
+
 CLI::App* addRun(CLI::App& app, Request& r) {
     CLI::App* run = app.add_subcommand("run", "sail an exercise, record and grade it");
     auto* scenario = run->add_option("--scenario", r.run.scenario, "id in the database, or a file");
@@ -63,9 +71,9 @@ CLI::App* addRun(CLI::App& app, Request& r) {
     run->add_option("--report", r.run.report, "report file, PDF");
     auto* resume = run->add_option("--resume", r.run.resume, "take up a recording that was broken off");
     run->add_flag("--json", r.run.json, "one JSON object on standard output");
-    scenario->excludes(resume);
     run->callback([=] {
         if (scenario->count() + resume->count() == 0) throw CLI::RequiredError("--scenario or --resume");
+        if (resume->count()) tellUnused(*run);
     });
     return run;
 }

@@ -78,6 +78,36 @@ TEST_F(Resume, ARunKilledTwiceStillComesToTheSameEnd) {
     EXPECT_EQ(hashIn(simDone({"replay", at("run.sgr")})), whole["state_hash"]);
 }
 
+TEST_F(Resume, TheEndAskedForIsInTheRecording) {
+    const nlohmann::json whole = simJson(lesson("20"));
+    killInMidRun({"--duration-s", "20"});
+    const Outcome resumed = simDone({"run", "--resume", at("run.sgr"), "--fast"});
+    EXPECT_EQ(hashIn(resumed), whole["state_hash"]);
+}
+
+TEST_F(Resume, SaysWhatItHasFromTheRecording) {
+    killInMidRun({"--seed", "3"});
+    const Outcome resumed = simDone({"run", "--scenario", "basic-navigation", "--seed", "9", "--resume",
+                                     at("run.sgr"), "--fast", "--duration-s", "5"});
+    EXPECT_NE(resumed.err.find("--seed is not used: --resume has it from the recording"), std::string::npos);
+    EXPECT_EQ(hashIn(resumed), simJson(lesson("5", {"--seed", "3"}))["state_hash"]);
+}
+
+TEST_F(Resume, ARunThatIsBeingSailedIsLeftToItsProgram) {
+    Program running(withData({"run", "--scenario", "basic-navigation", "--record", at("run.sgr")}), m_folder);
+    ASSERT_TRUE(happens([this] { return secondsIn("run.sgr") >= 1; }));
+    for (const Arguments& second :
+         {Arguments{"run", "--resume", at("run.sgr"), "--fast"}, lesson("1", {"--record", at("run.sgr")})}) {
+        const Outcome outcome = sim(second);
+        EXPECT_EQ(outcome.exitCode, 1);
+        EXPECT_NE(outcome.err.find("another program is writing this recording"), std::string::npos)
+            << outcome.err;
+    }
+    running.kill();
+    running.wait();
+    EXPECT_GE(secondsIn("run.sgr"), 1);
+}
+
 TEST_F(Resume, ARunThatHasEndedIsLeftAsItIs) {
     simDone(lesson("3", {"--record", at("run.sgr")}));
     const std::string before = read("run.sgr");
