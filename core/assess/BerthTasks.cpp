@@ -46,6 +46,7 @@ private:
 std::unique_ptr<const Task> makeSpringOffTask(std::string id, std::string title, config::Reader& in,
                                               const MissionContext& context) {
     const std::uint8_t keep = context.readLines(in, "keep");
+    if (in.sound() && keep == 0) in.problem("keep", "is empty", "the lines to spring off on");
     const double swing_rad = kDegree_rad * in.number("swing_deg", {2.0, 90.0, "deg"});
     return std::make_unique<SpringOffTask>(std::move(id), std::move(title), keep, swing_rad);
 }

@@ -9,9 +9,9 @@ namespace sagara::core {
 std::unique_ptr<const Criterion> makeCrossTrackCriterion(Criterion::Terms terms, config::Reader& in,
                                                          const MissionContext& context);
 
-/// "speed-limit": speed over ground above the lowest limit of the zones she is in. A zone is the legs up to a
-/// waypoint
-/// {"toWaypoint", "speed_kn"} or a circle {"near", "within_M", "speed_kn"}.
+/// "speed-limit": speed over ground above the lowest limit of the zones she is in by 0.1 kn, which the
+/// display does not show. A zone is the legs up to a waypoint {"toWaypoint", "speed_kn"} or a circle {"near",
+/// "within_M", "speed_kn"}.
 std::unique_ptr<const Criterion> makeSpeedLimitCriterion(Criterion::Terms terms, config::Reader& in,
                                                          const MissionContext& context);
 

@@ -56,6 +56,7 @@ std::unique_ptr<const Criterion> makePassingDistanceCriterion(Criterion::Terms t
     const std::size_t from = in.has("fromWaypoint") ? context.readWaypoint(in, "fromWaypoint") + 1 : 0;
     const std::size_t to =
         in.has("toWaypoint") ? context.readWaypoint(in, "toWaypoint") : context.route.waypoints.size();
+    if (in.sound() && to < from) in.problem("toWaypoint", "is not after fromWaypoint", "a later one");
     return std::make_unique<PassingDistanceCriterion>(std::move(terms), limit_m, from, to);
 }
 

@@ -83,5 +83,11 @@ TEST(PassingDistanceCriterion, OnePassIsOneDeductionOfTheNearest) {
     EXPECT_EQ(judge.deductions[0].time, test::at(990.2));  // just nearer than 50 m: 39.2 m before her beam
 }
 
+TEST(PassingDistanceCriterion, RefusesAPassageThatEndsBeforeItBegins) {
+    const std::string text = R"("passing-distance", "limit_m": 50, "fromWaypoint": 3, "toWaypoint": 3)";
+    EXPECT_EQ(test::Rubric().problemsOfCriterion(terms(text)),
+              "rubric: toWaypoint is not after fromWaypoint, expected a later one");
+}
+
 }  // namespace
 }  // namespace sagara::core

@@ -138,6 +138,8 @@ TEST(Tasks, SayWhatTheyCannotRead) {
     const Misspelt rows[] = {
         {R"("spring-off", "keep": ["breast"], "swing_deg": 12)",
          "rubric: keep names \"breast\", expected lines of the ship: head, stern, spring"},
+        {R"("spring-off", "keep": [], "swing_deg": 12)",
+         "rubric: keep is empty, expected the lines to spring off on"},
         {R"("clear-of-berth", "distance_m": 101)", "rubric: distance_m is 101, expected 1 to 100 m"},
         {R"("gate", "between": ["gate-west"])", "rubric: between names 1 places, expected two"},
         {R"("gate", "between": ["gate-west", "pier"])",
