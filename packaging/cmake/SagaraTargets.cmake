@@ -14,6 +14,9 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 # Asserts stay on in Release: they cost nothing that can be measured and a broken precondition must show.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
+if(SAGARA_SANITIZE)
+  set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")  # half the time to build, with the same findings
+endif()
 
 function(sagara_room_target room out)
   string(REGEX REPLACE "[/-]" "_" name "sagara_${room}")
