@@ -39,8 +39,8 @@ double BridgeShip::alongGround_mps() const {
 
 void BridgeShip::tick() {
     runPilot(script, path, ship, state, kTick_s);
-    state.steering.order_rad = steerAutopilot_rad(ship, path, state.motion, state.autopilot,
-                                                  state.steering.order_rad, kTick_s);
+    state.steering.order_rad =
+        steerAutopilot_rad(ship, path, state.motion, state.autopilot, state.steering.order_rad, kTick_s);
     Actuators actuators;
     actuators.rudder_rad = runSteeringGear(ship.vessel.steering, state.steering, kTick_s);
     for (std::size_t i = 0; i < ship.shaftCount(); ++i) {
