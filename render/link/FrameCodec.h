@@ -1,0 +1,20 @@
+#pragma once
+
+#include "render/link/Check.h"
+#include "render/link/Messages.h"
+
+namespace sagara::wire {
+class Frame;
+}
+
+namespace sagara::link {
+
+void write(const Frame& frame, wire::Frame& wire);
+Frame read(const wire::Frame& wire, Check& check);
+
+/// Lists longer than these are refused; far more than an exercise has.
+inline constexpr std::size_t kMostShips = 16;
+inline constexpr std::size_t kMostTargets = 512;
+inline constexpr std::size_t kMostSeaSystems = 8;
+
+}  // namespace sagara::link
