@@ -35,24 +35,34 @@ core::Result<std::unique_ptr<Connection>, std::string> Connection::to(const std:
 core::Bytes Connection::encoded(const Message& message) { return encode(message); }
 
 void Connection::sendPacket(const core::Bytes& packet) {
-    if (!m_open) return;
+    if (!m_open || m_socket->state() != QAbstractSocket::ConnectedState) return;
     m_socket->write(reinterpret_cast<const char*>(packet.data()), static_cast<qint64>(packet.size()));
     m_socket->flush();
 }
 
 void Connection::onMessage(std::function<void(Received)> heard, std::function<void()> closed) {
+    const bool first = !m_heard;
     m_heard = std::move(heard);
     m_closed = std::move(closed);
-    QObject::connect(m_socket.get(), &QTcpSocket::readyRead, m_socket.get(), [this] { readAll(); });
-    QObject::connect(m_socket.get(), &QTcpSocket::disconnected, m_socket.get(), [this] {
-        readAll();
-        noteClosed("the connection was closed by the other side");
-    });
+    if (first) {
+        QObject::connect(m_socket.get(), &QTcpSocket::readyRead, m_socket.get(), [this] { readAll(); });
+        // Queued: a write that fails must not call anybody from inside send.
+        QObject::connect(
+            m_socket.get(), &QTcpSocket::disconnected, m_socket.get(),
+            [this] {
+                readAll();
+                noteClosed("the connection was closed by the other side");
+            },
+            Qt::QueuedConnection);
+    }
     readAll();
 }
 
 void Connection::readAll() {
-    while (auto received = pull()) m_heard(std::move(*received));
+    while (auto received = pull()) {
+        const auto heard = m_heard;  // it may be replaced while it runs
+        heard(std::move(*received));
+    }
 }
 
 std::optional<Received> Connection::wait(int patience_ms) {
@@ -108,17 +118,22 @@ void Connection::close(std::string why) {
 
 void Connection::abort(std::string why) {
     if (!m_open) return;
-    m_open = false;
-    m_whyClosed = std::move(why);
     m_socket->abort();
-    if (m_closed) m_closed();
+    noteClosed(std::move(why));
 }
 
 void Connection::noteClosed(std::string why) {
     if (!m_open) return;
     m_open = false;
     m_whyClosed = std::move(why);
-    if (m_closed) m_closed();
+    if (!m_heard) return;
+    QMetaObject::invokeMethod(
+        m_socket.get(),
+        [this] {
+            const auto closed = m_closed;
+            closed();
+        },
+        Qt::QueuedConnection);
 }
 
 std::string Connection::peer() const {

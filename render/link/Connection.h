@@ -39,7 +39,9 @@ public:
     void send(const Message& message) { sendPacket(encoded(message)); }
     void sendPacket(const core::Bytes& packet);
 
-    /// Called from the event loop. Either may close this connection, neither may destroy it.
+    /// `heard` is called from the event loop, and at once for what has come already; `closed` once, from the
+    /// event loop, never from inside another call. `heard` may close this connection or set others in their
+    /// place, but not destroy it; `closed` may not destroy it either.
     void onMessage(std::function<void(Received)> heard, std::function<void()> closed);
     /// The next message, waiting no longer than this; nothing when none came or the connection is closed.
     std::optional<Received> wait(int patience_ms);
