@@ -82,6 +82,7 @@ public:
             return "the documents of the exercise have " + std::to_string(setup_bytes) + " bytes, at most " +
                    std::to_string(link::mostPayload_bytes(link::Kind::Setup)) + " can be sent";
         m_setup = link::encode(link::Setup{d, m_world->seed});
+        m_server.setListenBacklogSize(256);
         const QHostAddress address(m_options.everywhere ? QHostAddress::Any : QHostAddress::LocalHost);
         if (!m_server.listen(address, m_options.port))
             return "cannot listen on port " + std::to_string(m_options.port) + ": " +
