@@ -58,6 +58,7 @@ FrameBarrier::Begun FrameBarrier::begin(std::int64_t now_us) {
     for (std::size_t i = 0; i < m_channels.size(); ++i) {
         Channel& channel = m_channels[i];
         channel.member = channel.status.state == ChannelState::InStep;
+        channel.everInStep = channel.everInStep || channel.member;
         const bool guest = channel.status.state == ChannelState::Joining && channel.asked == 0 &&
                            now_us >= channel.heldUntil_us;
         if (!channel.member && !guest) continue;
@@ -84,7 +85,6 @@ void FrameBarrier::rendered(std::size_t index, std::uint64_t frame, std::int64_t
             break;
         case ChannelState::Joining:
             if (!inTime || !channel.status.waitedFor) break;
-            channel.everInStep = true;
             enter(channel, ChannelState::InStep, now_us);
             m_events.push_back({BarrierEvent::Kind::InStep, index, frame, 0, {}});
             break;

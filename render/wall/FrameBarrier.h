@@ -94,7 +94,7 @@ public:
 private:
     struct Channel {
         ChannelStatus status;
-        bool everInStep = false;
+        bool everInStep = false;  ///< frames it is missing from count from now on
         bool member = false;      ///< of the frame under way, or of the last
         bool answered = false;    ///< a member has drawn it
         std::uint64_t asked = 0;  ///< frame it was last sent; 0: none is open
