@@ -35,7 +35,8 @@ function(sagara_configure target)
     QT_STRICT_ITERATORS QT_DISABLE_DEPRECATED_BEFORE=0x060400)
   if(SAGARA_SANITIZE)
     # GCC 12 with instrumentation warns of overlaps in std::string that are not there.
-    target_compile_options(${target} PRIVATE -fsanitize=${SAGARA_SANITIZE} -fno-omit-frame-pointer -Wno-restrict)
+    target_compile_options(${target} PRIVATE -fsanitize=${SAGARA_SANITIZE} -fno-omit-frame-pointer
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
     # PUBLIC: whoever links an instrumented library needs the runtime.
     target_link_options(${target} PUBLIC -fsanitize=${SAGARA_SANITIZE})
     if(SAGARA_SANITIZE MATCHES undefined)

@@ -163,7 +163,7 @@ core::Weather read(const wire::Weather& w, Check& check) {
 
 }  // namespace
 
-void write(const Frame& frame, wire::Frame& w) {
+Kind write(const Frame& frame, wire::Frame& w) {
     const core::Snapshot& s = frame.snapshot;
     w.set_number(frame.number);
     w.set_time_us(frame.time.us);
@@ -176,6 +176,7 @@ void write(const Frame& frame, wire::Frame& w) {
     w.set_wind_from_rad(s.wind.windFrom_rad);
     for (const core::WaveSystem& system : s.sea.systems) write(system, *w.add_sea());
     w.set_tide_m(s.tide_m);
+    return Kind::Frame;
 }
 
 Frame read(const wire::Frame& w, Check& check) {

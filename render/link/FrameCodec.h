@@ -2,6 +2,7 @@
 
 #include "render/link/Check.h"
 #include "render/link/Messages.h"
+#include "render/link/Protocol.h"
 
 namespace sagara::wire {
 class Frame;
@@ -9,7 +10,7 @@ class Frame;
 
 namespace sagara::link {
 
-void write(const Frame& frame, wire::Frame& wire);
+Kind write(const Frame& frame, wire::Frame& wire);
 Frame read(const wire::Frame& wire, Check& check);
 
 /// Lists longer than these are refused; far more than an exercise has.
