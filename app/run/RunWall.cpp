@@ -237,6 +237,8 @@ int runWall(Store& store, const WallRunOptions& options) {
     if (!layout) return kBadRequest;
     auto world = findWorld(store, options);
     if (!world) return kBadRequest;
+    if (const fs::path view = viewProgram(options); !fs::exists(view))
+        return tell("there is no " + view.string() + "; name the channel program with --view"), kBadRequest;
     if (options.shots) {
         std::error_code error;
         fs::create_directories(*options.shots, error);

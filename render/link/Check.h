@@ -35,8 +35,14 @@ public:
     Enum choice(std::uint32_t value, Enum last, const char* what) {
         return static_cast<Enum>(whole(value, 0, static_cast<std::uint32_t>(last), what));
     }
-    std::string text(const std::string& value, std::size_t most_bytes, const char* what) {
-        if (value.size() <= most_bytes) return value;
+    /// Control characters become blanks: the text may be printed to a terminal.
+    std::string text(std::string value, std::size_t most_bytes, const char* what) {
+        if (value.size() <= most_bytes) {
+            for (char& c : value) {
+                if ((c >= 0 && c < ' ') || c == 127) c = ' ';
+            }
+            return value;
+        }
         refuse(std::string(what) + " of " + std::to_string(value.size()) + " bytes");
         return {};
     }

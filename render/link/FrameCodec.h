@@ -13,9 +13,7 @@ namespace sagara::link {
 Kind write(const Frame& frame, wire::Frame& wire);
 Frame read(const wire::Frame& wire, Check& check);
 
-/// Lists longer than these are refused; far more than an exercise has.
-inline constexpr std::size_t kMostShips = 16;
-inline constexpr std::size_t kMostTargets = 512;
+/// More than an exercise has, like kMostShips and kMostTargets.
 inline constexpr std::size_t kMostSeaSystems = 8;
 
 }  // namespace sagara::link

@@ -54,6 +54,10 @@ struct Setup {
 /// The channel has built the world and can draw.
 struct Ready {};
 
+/// Longer lists are refused.
+inline constexpr std::size_t kMostShips = 16;
+inline constexpr std::size_t kMostTargets = 512;
+
 /// One moment to be drawn by all channels. Of the snapshot these travel: tick, level, weather, wind, sea
 /// systems, tide, targets, and of own ships what can be seen; not orders, autopilot, tasks and score.
 /// `snapshot.sea.active` is empty after decoding: raise the sea with core::raiseSea.

@@ -84,7 +84,14 @@ void FrameBarrier::rendered(std::size_t index, std::uint64_t frame, std::int64_t
             showIfComplete();
             break;
         case ChannelState::Joining:
-            if (!inTime || !channel.status.waitedFor) break;
+            if (!channel.status.waitedFor) {
+                // An observer shows what it has drawn whenever that is.
+                ++channel.status.framesShown;
+                channel.status.frame = frame;
+                m_events.push_back({BarrierEvent::Kind::Show, index, frame, 0, {}});
+                break;
+            }
+            if (!inTime) break;
             enter(channel, ChannelState::InStep, now_us);
             m_events.push_back({BarrierEvent::Kind::InStep, index, frame, 0, {}});
             break;

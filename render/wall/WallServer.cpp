@@ -74,6 +74,9 @@ public:
         if (m_options.everywhere && m_options.token.size() < link::kShortestToken)
             return "to listen to other PCs a token of " + std::to_string(link::kShortestToken) +
                    " characters or more is needed";
+        if (m_world->ships.size() > link::kMostShips || m_world->targets.size() > link::kMostTargets)
+            return "a wall shows at most " + std::to_string(link::kMostShips) + " own ships and " +
+                   std::to_string(link::kMostTargets) + " targets";
         std::size_t setup_bytes = 4096;
         const core::ExerciseDocuments& d = m_world->documents;
         for (const auto* text : {&d.scenario, &d.area}) setup_bytes += text->text.size();
@@ -142,7 +145,10 @@ private:
         guest->connection->onMessage(
             [this, g = guest.get()](const link::Received& r) { hello(*g, std::get<link::Hello>(r.message)); },
             [this, g = guest.get()] {
-                m_observer.note("a guest left: " + g->connection->whyClosed());
+                // Ever more rarely: strangers must not fill the log.
+                if (const std::uint64_t n = ++m_strangers; (n & (n - 1)) == 0)
+                    m_observer.note("a stranger (" + std::to_string(n) +
+                                    ") left: " + g->connection->whyClosed());
                 bury(std::move(g->connection));
                 m_sweep.start(0);
             });
@@ -360,6 +366,7 @@ private:
     QTimer m_due, m_decision, m_secondLook, m_sweep;
     std::int64_t m_due_us = 0;
     std::uint64_t m_pings = 0;
+    std::uint64_t m_strangers = 0;
     std::uint64_t m_pictureFrame = 0;
     bool m_picturesAsked = false;
     bool m_settling = false;

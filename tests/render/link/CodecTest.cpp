@@ -113,6 +113,13 @@ TEST(Codec, ListsTooLongAreRefused) {
     EXPECT_EQ(refused.error().reason, "Frame: too much of it");
 }
 
+TEST(Codec, TextForPeopleHasNoControlCharacters) {
+    const auto bye = decodePacket(encode(Bye{"a\x1b[2Jb\n\xc3\xa9"}));
+    ASSERT_TRUE(bye);
+    EXPECT_EQ(std::get<Bye>(*bye).reason, "a [2Jb \xc3\xa9");
+    EXPECT_EQ(reasonFor(Hello{Role::View, std::string(201, 'x'), {}, "", 0}), "Hello: channel of 201 bytes");
+}
+
 TEST(Codec, APictureMustHaveItsPixels) {
     EXPECT_EQ(reasonFor(Picture{1, 4, 2, std::vector<std::byte>(31)}), "Picture: a picture of 31 bytes");
     EXPECT_EQ(reasonFor(Picture{1, 100'000, 2, {}}), "Picture: width_px is 100000");

@@ -1,7 +1,11 @@
 // Real processes over loopback: killed, frozen, slow, cut off and late.
 #include <csignal>
 
+#include <QThread>
+
 #include "RealWall.h"
+#include "render/wall/ChannelClient.h"
+#include "tests/render/support/FakeRenderer.h"
 
 namespace sagara::wall {
 namespace {
@@ -110,6 +114,24 @@ TEST_F(Wall, AllTroublesAtOnce) {
         EXPECT_LE(m_diary.m_backAt_us[status.name] - m_diary.m_lostAt_us[status.name], kBack_us)
             << status.name;
     expectEqualPictures();
+}
+
+TEST_F(Wall, AnObserverSeesTheWallAndHoldsUpNobody) {
+    startServer({"ahead"});
+    startChannels();
+    test::FakeRenderer slow(100);
+    ChannelOptions options;
+    options.port = m_port;
+    options.who.role = link::Role::Observer;
+    std::unique_ptr<QThread> observer(
+        QThread::create([&] { (void)runChannel(options, slow, [](const std::string&) {}); }));
+    observer->start();
+    runUntil([&] { return statusOf("observer-1").framesShown >= 5; }, 20.0, "it has seen some frames");
+    slow.m_closed = true;
+    runUntil([&] { return observer->isFinished(); }, 10.0, "it is closed");
+    EXPECT_GE(slow.m_shown.size(), 4u);
+    EXPECT_LT(statusOf("ahead").took_us, 90'000);
+    expectUnbroken("ahead");
 }
 
 TEST_F(Wall, ATokenReachesLocalChannels) {
