@@ -6,6 +6,7 @@
 #include "core/base/Config.h"
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
+#include "render/wall/Layout.h"
 
 namespace sagara::run {
 namespace {
@@ -41,14 +42,15 @@ Problems checkAgainstScenario(const Store& store, const std::string& name, const
 }
 
 Problems check(const Store& store, const std::string& name, const std::string& text) {
-    enum class Kind { Vessel, Area, Scenario, Commands, Rubric };
+    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall };
     core::config::Document document(name, text);
     core::config::Reader in(document.root());
     const auto kind = in.choiceIfKnown<Kind>("document", {{"vessel", Kind::Vessel},
                                                           {"area", Kind::Area},
                                                           {"scenario", Kind::Scenario},
                                                           {"commands", Kind::Commands},
-                                                          {"rubric", Kind::Rubric}});
+                                                          {"rubric", Kind::Rubric},
+                                                          {"wall", Kind::Wall}});
     if (!kind) return document.problems();
     switch (*kind) {
         case Kind::Vessel:
@@ -65,6 +67,8 @@ Problems check(const Store& store, const std::string& name, const std::string& t
             return checkAgainstScenario(store, name, text, [&](const core::World& world) {
                 return problemsOf(core::loadRubric(name, text, world));
             });
+        case Kind::Wall:
+            return problemsOf(wall::loadLayout(name, text));
     }
     return Problems(name);
 }

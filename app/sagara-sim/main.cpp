@@ -8,6 +8,7 @@
 #include "app/run/Console.h"
 #include "app/run/Lists.h"
 #include "app/run/RunExercise.h"
+#include "app/run/RunWall.h"
 #include "app/run/ValidateDocument.h"
 #include "db/DbError.h"
 
@@ -23,6 +24,8 @@ struct Request {
     RunOptions run;
     std::string helm = "none";
     ReplayOptions replay;
+    WallRunOptions wall;
+    std::vector<std::uint32_t> wallSize_px;
     std::filesystem::path document;
     std::string list;
     std::filesystem::path backup;
@@ -92,6 +95,37 @@ CLI::App* addReplay(CLI::App& app, Request& r) {
     return replay;
 }
 
+CLI::App* addWall(CLI::App& app, Request& r) {
+    CLI::App* wall = app.add_subcommand("wall", "run an exercise with its wall, without a station");
+    wall->add_option("--scenario", r.wall.scenario, "id in the database, or a file")->required();
+    wall->add_option("--layout", r.wall.layout, "id under assets/walls, or a file (desk-3x60)");
+    wall->add_option("--helm", r.helm, "who sails: the scripted pilot, or nobody")
+        ->check(CLI::IsMember({"pilot", "none"}));
+    wall->add_option("--level", r.wall.level, "difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
+    wall->add_option("--seed", r.wall.seed, "of sea and gusts (1)");
+    wall->add_flag("--offscreen", r.wall.offscreen, "channels without windows");
+    wall->add_option("--size", r.wallSize_px, "of every channel, in pixels: 640x360")
+        ->delimiter('x')
+        ->expected(2)
+        ->check(CLI::Range(64, 4096));
+    wall->add_option("--rate-hz", r.wall.rate_Hz, "frames a second at most (60)")
+        ->check(CLI::Range(1.0, 240.0));
+    wall->add_flag("--fast", r.wall.fast, "frames of 1/rate-hz, as fast as the channels draw");
+    wall->add_option("--duration-s", r.wall.duration_s, "of the exercise (10)")
+        ->check(CLI::Range(0.0, 7.0 * 86400.0));
+    wall->add_option("--shots", r.wall.shots, "folder for pictures of all channels side by side");
+    wall->add_option("--shot-every-s", r.wall.shotEvery_s, "time between them (2)")
+        ->check(CLI::Range(0.1, 3600.0));
+    wall->add_option("--view", r.wall.view, "channel program (else sagara-view beside this one)");
+    wall->add_option("--view-option", r.wall.viewArguments,
+                     "passed on to it, for example --view-option=--preset=low");
+    wall->add_flag("--listen", r.wall.listen, "take channels from other PCs; the token is in SAGARA_TOKEN");
+    wall->add_option("--port", r.wall.port, "to listen on (any)");
+    wall->add_option("--kill-every-s", r.wall.killEvery_s, "for trials: kill a channel so often")
+        ->check(CLI::Range(0.5, 86400.0));
+    return wall;
+}
+
 int withStore(const Request& r, int (*work)(Store&, const Request&)) {
     auto store = Store::open(r.data);
     if (!store) return tell(store.error()), kBadRequest;
@@ -111,8 +145,9 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     CLI::App* run = addRun(app, r);
     CLI::App* replay = addReplay(app, r);
-    CLI::App* validate =
-        app.add_subcommand("validate-document", "check a vessel, area, scenario, command or rubric file");
+    CLI::App* wall = addWall(app, r);
+    CLI::App* validate = app.add_subcommand("validate-document",
+                                            "check a vessel, area, scenario, wall, command or rubric file");
     validate->add_option("file", r.document)->required();
     CLI::App* list = app.add_subcommand("list", "show what the database holds");
     list->add_option("what", r.list, "vessels, areas, scenarios or runs")
@@ -120,7 +155,7 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"vessels", "areas", "scenarios", "runs"}));
     CLI::App* backup = app.add_subcommand("backup", "copy the database while it is in use");
     backup->add_option("file", r.backup)->required();
-    for (CLI::App* command : {run, replay, validate, list, backup}) {
+    for (CLI::App* command : {run, replay, wall, validate, list, backup}) {
         command->add_option("--data", r.data, "data folder (else the XDG one)");
     }
     try {
@@ -134,6 +169,9 @@ int main(int argc, char** argv) {
     const QGuiApplication qt(argc, argv);
     r.run.pilot = r.helm == "pilot";
     if (*run) return withStore(r, [](Store& s, const Request& q) { return runExercise(s, q.run); });
+    r.wall.pilot = r.run.pilot;
+    if (r.wallSize_px.size() == 2) r.wall.size_px.emplace(r.wallSize_px[0], r.wallSize_px[1]);
+    if (*wall) return withStore(r, [](Store& s, const Request& q) { return runWall(s, q.wall); });
     if (*replay) return replayRecording(r.replay);
     if (*validate)
         return withStore(r, [](Store& s, const Request& q) { return validateDocument(s, q.document); });
