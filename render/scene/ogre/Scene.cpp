@@ -1,0 +1,43 @@
+#include "render/scene/ogre/Scene.h"
+
+#include <OgreResourceGroupManager.h>
+#include <OgreRoot.h>
+
+#include "render/scene/ogre/SeaPart.h"
+#include "render/scene/ogre/SkyPart.h"
+
+namespace sagara::render {
+
+Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::filesystem::path& assets,
+             Preset preset)
+    : m_host(host),
+      m_world(std::move(world)),
+      m_figures(figuresOf(preset)),
+      m_scenes(host.root().createSceneManager()) {
+    Ogre::ResourceGroupManager::getSingleton().createResourceGroup(kSceneGroup);
+    m_materials = std::make_unique<Materials>(assets / "shaders", m_figures);
+    const PartContext context{*m_world, *m_scenes, *m_materials, m_figures};
+    m_parts.push_back(std::make_unique<SkyPart>(context));
+    m_parts.push_back(std::make_unique<SeaPart>(context));
+}
+
+Scene::~Scene() {
+    m_parts.clear();
+    m_materials.reset();
+    m_host.root().destroySceneManager(m_scenes);
+    Ogre::ResourceGroupManager::getSingleton().destroyResourceGroup(kSceneGroup);
+}
+
+void Scene::advance(const Moment& moment) {
+    m_moment = moment;
+    m_light = skyLight(*m_world, m_moment);
+    const Frame frame{*m_world, m_moment, m_light};
+    for (const auto& part : m_parts) part->advance(frame);
+}
+
+void Scene::look(const Camera& camera, int width, int height) {
+    const Frame frame{*m_world, m_moment, m_light};
+    for (const auto& part : m_parts) part->look(frame, {camera, width, height});
+}
+
+}  // namespace sagara::render
