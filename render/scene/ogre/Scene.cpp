@@ -4,6 +4,7 @@
 #include <OgreRoot.h>
 
 #include "render/scene/ogre/SeaPart.h"
+#include "render/scene/ogre/ShipsPart.h"
 #include "render/scene/ogre/SkyPart.h"
 
 namespace sagara::render {
@@ -19,6 +20,8 @@ Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::fi
     const PartContext context{*m_world, *m_scenes, *m_materials, m_figures};
     m_parts.push_back(std::make_unique<SkyPart>(context));
     m_parts.push_back(std::make_unique<SeaPart>(context));
+    const ShaderMaterial solid = m_materials->make("solid");
+    m_parts.push_back(std::make_unique<ShipsPart>(context, solid));
 }
 
 Scene::~Scene() {
