@@ -8,7 +8,7 @@
 #include <OgreTechnique.h>
 
 #include <fstream>
-#include <sstream>
+#include <string_view>
 
 #include "render/scene/ogre/Part.h"
 
@@ -85,12 +85,18 @@ Materials::Materials(std::filesystem::path shaders, const PresetFigures& figures
 }
 
 std::string Materials::source(const std::string& file) const {
+    constexpr std::string_view kInclude = "#include \"";
     std::ifstream in(m_shaders / file);
-    std::ostringstream text;
-    text << in.rdbuf();
     if (!in)
         OGRE_EXCEPT(Ogre::Exception::ERR_FILE_NOT_FOUND, (m_shaders / file).string() + " cannot be read");
-    return text.str();
+    std::string text, line;
+    while (std::getline(in, line)) {
+        if (line.starts_with(kInclude))
+            text += source(line.substr(kInclude.size(), line.rfind('"') - kInclude.size()));
+        else
+            text += line + "\n";
+    }
+    return text;
 }
 
 ShaderMaterial Materials::make(const std::string& name, Blending blending) {

@@ -3,9 +3,14 @@
 #include <OgreResourceGroupManager.h>
 #include <OgreRoot.h>
 
+#include "render/scene/ogre/LandPart.h"
+#include "render/scene/ogre/LightsPart.h"
+#include "render/scene/ogre/RainPart.h"
 #include "render/scene/ogre/SeaPart.h"
 #include "render/scene/ogre/ShipsPart.h"
 #include "render/scene/ogre/SkyPart.h"
+#include "render/scene/ogre/StarsPart.h"
+#include "render/scene/ogre/WakePart.h"
 
 namespace sagara::render {
 
@@ -19,9 +24,16 @@ Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::fi
     m_materials = std::make_unique<Materials>(assets / "shaders", m_figures);
     const PartContext context{*m_world, *m_scenes, *m_materials, m_figures};
     m_parts.push_back(std::make_unique<SkyPart>(context));
-    m_parts.push_back(std::make_unique<SeaPart>(context));
+    auto ownSea = std::make_unique<SeaPart>(context);
+    SeaPart& sea = *ownSea;
+    m_parts.push_back(std::move(ownSea));
     const ShaderMaterial solid = m_materials->make("solid");
     m_parts.push_back(std::make_unique<ShipsPart>(context, solid));
+    m_parts.push_back(std::make_unique<LandPart>(context, solid));
+    m_parts.push_back(std::make_unique<LightsPart>(context, solid, sea));
+    m_parts.push_back(std::make_unique<StarsPart>(context));
+    m_parts.push_back(std::make_unique<WakePart>(context, sea));
+    m_parts.push_back(std::make_unique<RainPart>(context));
 }
 
 Scene::~Scene() {

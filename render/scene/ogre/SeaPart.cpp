@@ -36,13 +36,10 @@ SeaPart::SeaPart(const PartContext& context)
         const std::string number = std::to_string(b);
         m_heights[b] = floatTexture("height" + number, m_tiles.tiles()[b].height_m);
         m_surfaces[b] = byteTexture("surface" + number, m_tiles.tiles()[b].surface);
-        m_material.addTexture("u_height" + number, m_heights[b], true, true);
-        m_material.addTexture("u_surface" + number, m_surfaces[b], true, true);
     }
     m_far = waterMap(context.world, context.world.area.shelter.size() - 1);
     m_near = waterMap(context.world, 0);
-    m_material.addTexture("u_water", m_far.texture, false, false);
-    m_material.addTexture("u_waterNear", m_near.texture, false, false);
+    lift(m_material);
     m_material.set("u_deepWater", vector4(0.012, 0.062, 0.095, 0.0));
     m_material.set("u_shallowWater", vector4(0.035, 0.20, 0.20, 0.0));
 
@@ -57,6 +54,16 @@ SeaPart::SeaPart(const PartContext& context)
         node->attachObject(entity);
         m_sectors.push_back(node);
     }
+}
+
+void SeaPart::lift(ShaderMaterial& material) {
+    for (std::size_t b = 0; b < 3; ++b) {
+        material.addTexture("u_height" + std::to_string(b), m_heights[b], true, true);
+        material.addTexture("u_surface" + std::to_string(b), m_surfaces[b], true, true);
+    }
+    material.addTexture("u_water", m_far.texture, false, false);
+    material.addTexture("u_waterNear", m_near.texture, false, false);
+    m_lifted.push_back(material);
 }
 
 SeaPart::WaterMap SeaPart::waterMap(const core::World& world, std::size_t index) {
@@ -113,16 +120,20 @@ void SeaPart::look(const Frame&, const View& view) {
             return vector4(fraction(east + half), fraction(north + half), 1.0 / tile, points / tile);
         };
         const std::string name = "u_tile" + std::to_string(b);
-        m_material.setVertex(name, place(tiles[b].height_m.sizes[0]));
-        m_material.setFragment(name, place(tiles[b].surface.sizes[0]));
+        for (const ShaderMaterial& material : m_lifted) {
+            material.setVertex(name, place(tiles[b].height_m.sizes[0]));
+            material.setFragment(name, place(tiles[b].surface.sizes[0]));
+        }
     }
     const auto place = [&](const WaterMap& map) {
         const core::NorthEast d = c.position - map.southWest;
         return vector4(d.east_m / map.size_m[0], d.north_m / map.size_m[1], 1.0 / map.size_m[0],
                        1.0 / map.size_m[1]);
     };
-    m_material.setVertex("u_waterPlace", place(m_far));
-    m_material.setVertex("u_waterNearPlace", place(m_near));
+    for (const ShaderMaterial& material : m_lifted) {
+        material.setVertex("u_waterPlace", place(m_far));
+        material.setVertex("u_waterNearPlace", place(m_near));
+    }
     m_material.setVertex("u_grid", vector4(seaGridFactor(c.up_m), 0.0, 0.0, 0.0));
 
     const double axis = c.heading_rad + c.yaw_rad, half = halfWidth_rad(c) + 0.5 * kSector_rad + 0.02;

@@ -13,6 +13,9 @@ public:
     explicit SeaPart(const PartContext& context);
     void advance(const Frame& frame) override;
     void look(const Frame& frame, const View& view) override;
+    /// Gives a material what lift.glsl needs, and the slope maps, and keeps them up to date.
+    void lift(ShaderMaterial& material);
+    const SeaTiles& tiles() const { return m_tiles; }
 
 private:
     /// Shelter and depth of the area as a texture, and where it lies in N.
@@ -30,6 +33,7 @@ private:
     WaterMap m_far;
     WaterMap m_near;
     std::vector<Ogre::SceneNode*> m_sectors;
+    std::vector<ShaderMaterial> m_lifted;
 };
 
 }  // namespace sagara::render
