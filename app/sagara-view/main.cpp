@@ -1,6 +1,7 @@
 // sagara-view: one channel of the picture, or pictures for looking at. Options here, work in the other files.
 #include <CLI/CLI.hpp>
 
+#include "app/view/Bench.h"
 #include "app/view/Shots.h"
 #include "render/headless/HeadlessGl.h"
 
@@ -16,6 +17,8 @@ struct Request {
     bool offscreen = false;
     std::string size = "1280x720";
     view::ShotOptions shots;
+    std::string windowed;
+    view::BenchOptions bench;
 };
 
 bool parseSize(const std::string& text, int& width, int& height) {
@@ -33,10 +36,11 @@ int main(int argc, char** argv) {
     app.add_option("--preset", r.preset, "low, medium or high (medium)")
         ->check(CLI::IsMember({"low", "medium", "high"}));
     app.add_flag("--offscreen", r.offscreen, "no window and no X server");
-    app.add_option("--size", r.size, "of pictures, as in 1280x720")->check([](const std::string& text) {
+    const auto isSize = [](const std::string& text) {
         int width = 0, height = 0;
         return parseSize(text, width, height) ? std::string() : "expected WIDTHxHEIGHT, each 1 to 8192";
-    });
+    };
+    app.add_option("--size", r.size, "of pictures, as in 1280x720 (the default)")->check(isSize);
     app.add_option("--scenario", r.scenario.scenario, "id or file of the exercise to show");
     app.add_option("--level", r.scenario.level, "difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
     app.add_option("--start-utc", r.scenario.startUtc, "another start, as in 2027-01-15T13:00:00Z");
@@ -45,6 +49,15 @@ int main(int argc, char** argv) {
     app.add_option("--rain", r.scenario.rain, "other rain, 0 to 1");
     app.add_option("--at-s", r.shots.at_s, "second of the exercise, the pilot sailing")
         ->check(CLI::Range(0.0, 86400.0));
+    app.add_option("--windowed", r.windowed, "a window of this size, as in 1280x720")->check(isSize);
+    app.add_flag("--fullscreen", r.bench.fullScreen, "the whole screen");
+    auto* bench =
+        app.add_option("--bench", r.bench.scene, "draw this scene as fast as it goes and print figures")
+            ->check(CLI::IsMember(view::benchScenes()));
+    app.add_option("--frames", r.bench.frames, "how many of them (200)")->check(CLI::Range(1, 1'000'000));
+    app.add_option("--channels", r.bench.channels, "pictures side by side in a bench (1)")
+        ->check(CLI::Range(1, 8));
+    app.add_option("--dump-frames", r.bench.dump, "leave every frame of a bench in this folder");
     auto* shots =
         app.add_option("--shots", r.shots.folder, "leave pictures from every camera in this folder");
     app.add_option("--shot", r.shots.only, "only those whose name begins so");
@@ -57,6 +70,10 @@ int main(int argc, char** argv) {
     r.scenario.assets = r.stage.assets = view::assetFolder();
     r.stage.preset = *render::presetOf(r.preset);
     r.stage.headless = r.offscreen || !render::displayIsSet();
+    r.bench.window = !r.offscreen && (!r.windowed.empty() || r.bench.fullScreen);
+    parseSize(r.windowed.empty() ? r.size : r.windowed, r.bench.width, r.bench.height);
+    if (r.bench.window) r.stage.headless = false;
+    if (*bench) return view::bench(r.scenario, r.stage, r.bench);
     if (*shots) return view::takeShots(r.scenario, r.stage, r.shots);
     std::fprintf(stderr, "sagara-view: nothing to do; see --help\n");
     return 2;
