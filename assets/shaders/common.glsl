@@ -9,6 +9,8 @@ uniform vec4 u_horizon;    // w: extinction of the air, 1/m
 uniform vec4 u_glow;       // around the sun
 uniform vec4 u_moon;       // xyz: towards the moon, w: share lit
 uniform vec4 u_moonColour;
+uniform vec4 u_lamp;       // xyz: towards the sun or, at night, the moon: what glitters on the water
+uniform vec4 u_lampColour;
 uniform vec4 u_eye;        // x: height of the eye, y: seconds (wrapped), z: curvature of the earth, w: night
 uniform vec4 u_cloud;      // x: cover, yz: drift, w: rain
 

@@ -1,5 +1,6 @@
 in vec3 v_position;
 in vec4 v_water;
+in vec4 v_air;
 
 uniform sampler2D u_surface0;
 uniform sampler2D u_surface1;
@@ -10,6 +11,7 @@ uniform vec4 u_tile2;
 uniform vec4 u_slopeScale;         // of the three tiles
 uniform vec4 u_accelerationScale;  // of the three tiles
 uniform vec4 u_foam;               // x: acceleration at which crests break, y: width of the change
+uniform vec4 u_light;              // x: haze in what is reflected, y: daylight
 uniform vec4 u_deepWater;
 uniform vec4 u_shallowWater;
 
@@ -17,16 +19,15 @@ out vec4 o_colour;
 
 void main() {
     vec2 en = vec2(v_position.x, -v_position.z);
-    float distance = length(v_position);
-    vec3 d = v_position / distance;
+    vec3 d = normalize(v_position);
 
-    vec4 a = texture(u_surface0, u_tile0.xy + en * u_tile0.z, -0.7);
-    vec4 b = texture(u_surface1, u_tile1.xy + en * u_tile1.z, -0.7);
+    vec4 a = texture(u_surface0, u_tile0.xy + en * u_tile0.z);
+    vec4 b = texture(u_surface1, u_tile1.xy + en * u_tile1.z);
     vec2 slope = (a.rg * 2.0 - 1.0) * u_slopeScale.x + (b.rg * 2.0 - 1.0) * u_slopeScale.y;
     float mean2 = a.a * u_slopeScale.x * u_slopeScale.x + b.a * u_slopeScale.y * u_slopeScale.y;
     float breaking = (a.b * 2.0 - 1.0) * u_accelerationScale.x + (b.b * 2.0 - 1.0) * u_accelerationScale.y;
 #ifdef SHORT_WAVES
-    vec4 c = texture(u_surface2, u_tile2.xy + en * u_tile2.z, -0.7);
+    vec4 c = texture(u_surface2, u_tile2.xy + en * u_tile2.z);
     vec2 fine = (c.rg * 2.0 - 1.0) * u_slopeScale.z;
     slope += fine;
     mean2 += c.a * u_slopeScale.z * u_slopeScale.z;
@@ -49,25 +50,21 @@ void main() {
 
     vec3 r = reflect(d, n);
     r.y = abs(r.y) + 0.35 * rough;
-    r = normalize(r);
     vec3 sky = skyColour(r);
-    sky = mix(sky, fogColour(r), 1.0 - exp(-u_horizon.w * 1500.0));
+    sky = mix(sky, fogColour(r), u_light.x);
 
-    // Sun and moon on the facets: Beckmann's distribution of slopes.
-    vec3 h = normalize(u_sun.xyz - d);
-    float sunUp = smoothstep(-0.01, 0.05, u_sun.y);
+    // Sun or moon on the facets: a distribution of slopes with long tails.
+    vec3 h = u_lamp.xyz - d;
     float m2 = 2.0 * hidden + 0.0015;
-    vec3 hs = h / max(h.y, 0.05);
-    vec2 off = vec2(hs.x, hs.z) - vec2(n.x, n.z) / n.y;
-    float glint = exp(-dot(off, off) / m2) / (m2 * 14.0 + 0.02);
-    vec3 shine = (u_sunColour.rgb * sunUp + u_glow.rgb * 0.3 * sunUp) * min(glint, 3.5) * (0.15 + 0.85 * fresnel);
-    vec3 hm = normalize(u_moon.xyz - d);
-    hm /= max(hm.y, 0.05);
-    vec2 offMoon = hm.xz - n.xz / n.y;
-    shine += u_moonColour.rgb * exp(-dot(offMoon, offMoon) / m2) * 2.5;
+    vec2 off = h.xz / max(h.y, 0.04) - n.xz / n.y;
+    float q = 1.0 + 0.5 * dot(off, off) / m2;
+    q *= q;
+    float glint = 1.0 / (q * q * (m2 * 14.0 + 0.02));
+    vec3 shine = u_lampColour.rgb * (min(glint, 3.5) * (0.15 + 0.85 * fresnel));
 
-    float daylight = dot(u_sky.rgb + 0.7 * u_sunColour.rgb * max(u_sun.y, 0.0), vec3(0.33));
-    float shallow = exp(-v_water.y * 12.0);
+    float daylight = u_light.y;
+    float shallow = max(0.0, 1.0 - v_water.y * 4.0);
+    shallow *= shallow * shallow;
     vec3 body = mix(u_deepWater.rgb, u_shallowWater.rgb, shallow) * daylight * 1.5;
     // Light through the crests.
     body += u_shallowWater.rgb * daylight * 0.35 * clamp(v_water.z * 0.35, 0.0, 0.5);
@@ -80,5 +77,5 @@ void main() {
     colour = mix(colour, (u_sky.rgb * 1.25 + u_sunColour.rgb * (0.2 + 0.5 * max(u_sun.y, 0.0))) * 0.95,
                  foam * streaks * 0.85);
 #endif
-    o_colour = vec4(throughAir(colour, d, distance), 1.0);
+    o_colour = vec4(colour * v_air.a + v_air.rgb, 1.0);
 }

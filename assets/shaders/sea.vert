@@ -9,6 +9,7 @@ uniform vec4 u_grid;  // x: factor on distances
 
 out vec3 v_position;
 out vec4 v_water;  // x: shelter, y: depth, z: height above still water
+out vec4 v_air;    // what the air adds, and the share it leaves: the net is fine enough on the screen
 
 void main() {
     vec3 direction = mat3(u_world) * vertex.xyz;
@@ -21,5 +22,7 @@ void main() {
     vec4 q = overTheHorizon(vec4(p, 1.0));
     v_position = q.xyz;
     v_water = vec4(water, h, r);
+    float left = exp(-u_horizon.w * length(q.xyz));
+    v_air = vec4(fogColour(normalize(q.xyz)) * (1.0 - left), left);
     gl_Position = u_viewProjection * q;
 }

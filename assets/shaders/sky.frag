@@ -22,27 +22,12 @@ vec3 withClouds(vec3 sky, vec3 d) {
 }
 #endif
 
-vec3 moonDisc(vec3 d) {
-    vec3 m = u_moon.xyz;
-    float c = dot(d, m);
-    if (c < 0.99998 || u_moon.w <= 0.0) return vec3(0.0);
-    // A ball lit by the sun, seen along m.
-    vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), m));
-    vec3 up = cross(m, right);
-    vec2 q = vec2(dot(d, right), dot(d, up)) / 0.0052;
-    float r2 = dot(q, q);
-    if (r2 > 1.0) return vec3(0.0);
-    vec3 n = q.x * right + q.y * up - sqrt(1.0 - r2) * m;
-    return vec3(0.95, 0.93, 0.86) * smoothstep(-0.05, 0.15, dot(n, u_sun.xyz)) * (1.0 - smoothstep(0.8, 1.0, r2));
-}
-
 void main() {
     vec3 d = normalize(v_direction);
     vec3 c = skyColour(d);
     float s = dot(d, u_sun.xyz);
     float clear = 1.0 - smoothstep(0.55, 0.9, u_cloud.x);
     c += (u_sunColour.rgb + u_glow.rgb) * 1.6 * smoothstep(0.99996, 0.999985, s) * clear;
-    c += moonDisc(d) * clear * (0.25 + 0.75 * u_eye.w);
 #ifdef CLOUDS
     c = withClouds(c, d);
 #endif

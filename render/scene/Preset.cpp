@@ -12,9 +12,9 @@ std::optional<Preset> presetOf(std::string_view name) {
 PresetFigures figuresOf(Preset preset) {
     switch (preset) {
         case Preset::Low:
-            return {56, 14, false, false, false, 60, 250, 800.0};
+            return {52, 12, false, false, false, 60, 250, 800.0};
         case Preset::Medium:
-            return {80, 20, true, true, true, 150, 500, 2000.0};
+            return {76, 18, true, true, true, 150, 500, 2000.0};
         case Preset::High:
             return {120, 36, true, true, true, 500, 1200, 6000.0};
     }

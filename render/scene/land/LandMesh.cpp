@@ -11,6 +11,9 @@ namespace {
 constexpr double kCoarse_m = 80.0;
 constexpr int kChunkCells = 14;  ///< coarse cells along a side of a piece
 constexpr double kBelow_m = -2.5;
+/// How far the ground may be from the plane drawn instead: tree tops matter less than a beach.
+constexpr double kFlatShore_m = 0.3;
+constexpr double kFlatInland_m = 2.5;
 
 /// A node of either net.
 struct Node {
@@ -141,27 +144,32 @@ void LandBuilder::fine(Solid& out, core::NorthEast southWest) const {
     const auto at = [&](int row, int column) {
         return &nodes[static_cast<std::size_t>(row * (n + 1) + column)];
     };
-    const auto deep = [&](int row, int column) { return at(row, column)->spot.inland_m > 40.0; };
-    // Away from the shore four cells at once are enough.
-    const auto inner = [&](int row, int column, int size) {
-        for (int i = 0; i <= size; i += size)
-            for (int j = 0; j <= size; j += size)
-                if (!deep(row + i, column + j)) return false;
+    // One quad where the ground between its corners is as good as flat, or far from the shore; else its
+    // quarters.
+    const auto flat = [&](int row, int column, int size) {
+        const Node &a = *at(row, column), &b = *at(row, column + size), &c = *at(row + size, column),
+                   &d = *at(row + size, column + size);
+        for (int i = 0; i <= size; ++i) {
+            for (int j = 0; j <= size; ++j) {
+                const Node& inner = *at(row + i, column + j);
+                if (inner.spot.inland_m <= 0.0) return false;
+                const double fi = static_cast<double>(i) / size, fj = static_cast<double>(j) / size;
+                const double plane =
+                    (1 - fi) * ((1 - fj) * a.up + fj * b.up) + fi * ((1 - fj) * c.up + fj * d.up);
+                if (std::abs(inner.up - plane) > (inner.spot.inland_m > 40.0 ? kFlatInland_m : kFlatShore_m))
+                    return false;
+            }
+        }
         return true;
     };
-    const int big = n / 4;
-    for (int row = 0; row < n; row += big) {
-        for (int column = 0; column < n; column += big) {
-            if (inner(row, column, big)) {
-                cell(out, {at(row, column), at(row + big, column), at(row + big, column + big),
-                           at(row, column + big)});
-                continue;
-            }
-            for (int i = row; i < row + big; ++i)
-                for (int j = column; j < column + big; ++j)
-                    cell(out, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    }
+    const auto block = [&](const auto& self, int row, int column, int size) -> void {
+        if (size == 1 || flat(row, column, size))
+            return cell(out, {at(row, column), at(row + size, column), at(row + size, column + size),
+                              at(row, column + size)});
+        for (const int i : {0, size / 2})
+            for (const int j : {0, size / 2}) self(self, row + i, column + j, size / 2);
+    };
+    block(block, 0, 0, n);
 }
 
 bool LandBuilder::isFine(int row, int column) const {

@@ -104,6 +104,13 @@ void SeaPart::advance(const Frame& frame) {
     m_material.setFragment(
         "u_accelerationScale",
         vector4(t[0].accelerationScale_mps2, t[1].accelerationScale_mps2, t[2].accelerationScale_mps2, 0.0));
+    const SkyLight& light = frame.light;
+    const double high = std::max(0.0, std::sin(light.sun.altitude_rad));
+    double daylight = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        daylight += 0.33 * (light.skyColour[i] + 0.7 * high * light.sunColour[i]);
+    m_material.setFragment("u_light",
+                           vector4(1.0 - std::exp(-1500.0 * light.extinction_perM), daylight, 0.0, 0.0));
     const double rms = m_tiles.accelerationRms_mps2();
     const double crest = breakingAcceleration(frame.moment.weather.wind.speed_mps);
     m_material.setFragment("u_foam", vector4(rms * crest - 0.15 * rms, 0.35 * rms + 1e-3, 0.0, 0.0));

@@ -49,17 +49,26 @@ Ogre::MeshPtr ball(const Ogre::MaterialPtr& material) {
 
 SkyPart::SkyPart(const PartContext& context)
     : m_materials(context.materials),
-      m_sky(context.materials.make("sky", {Blending::Kind::Opaque, true, false})) {
+      m_sky(context.materials.make("sky", {Blending::Kind::Opaque, true, false})),
+      m_moon(context.scenes.getRootSceneNode()->createChildSceneNode()) {
     if (context.figures.clouds)
         m_sky.addTexture("u_clouds", byteTexture("clouds", kCloudSize, kCloudSize, cloudNoise(kCloudSize)),
                          true, false);
     auto* entity = context.scenes.createEntity(ball(m_sky.ogre()));
     entity->setRenderQueueGroup(kSkyQueue);
     context.scenes.getRootSceneNode()->createChildSceneNode()->attachObject(entity);
+    const ShaderMaterial moon = context.materials.make("moon", {Blending::Kind::Add, true, false});
+    constexpr float kSquare[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    constexpr std::uint32_t kHalves[] = {0, 1, 2, 0, 2, 3};
+    auto* disc = context.scenes.createEntity(
+        rawMesh("moon", kSquare, 3, kHalves, moon.ogre(), Ogre::AxisAlignedBox::BOX_INFINITE));
+    disc->setRenderQueueGroup(kSkyQueue + 1);
+    m_moon->attachObject(disc);
 }
 
 void SkyPart::advance(const Frame& frame) {
     const SkyLight& l = frame.light;
+    m_moon->setVisible(l.moon.seen.altitude_rad > -0.01);
     m_materials.setForAll("u_sun", towards(l.sun));
     m_materials.setForAll("u_sunColour", vector4(l.sunColour));
     m_materials.setForAll("u_sky", vector4(l.skyColour));
@@ -68,6 +77,12 @@ void SkyPart::advance(const Frame& frame) {
     m_materials.setForAll("u_glow", vector4(l.glow));
     m_materials.setForAll("u_moon", towards(l.moon.seen, l.moon.litShare));
     m_materials.setForAll("u_moonColour", vector4(l.lowLight));
+    const bool day = l.sun.altitude_rad > -0.01;
+    const auto glitter = [&](std::size_t i) {
+        return day ? l.sunColour[i] + 0.3 * l.glow[i] : 3.0 * l.lowLight[i];
+    };
+    m_materials.setForAll("u_lamp", towards(day ? l.sun : l.moon.seen));
+    m_materials.setForAll("u_lampColour", vector4(glitter(0), glitter(1), glitter(2), 0.0));
     const double drift = 0.0003 * frame.moment.time.seconds();
     m_materials.setForAll("u_cloud",
                           vector4(l.cloudCover, std::fmod(0.7 * drift, 1.0), std::fmod(drift, 1.0), l.rain));

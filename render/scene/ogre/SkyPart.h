@@ -14,6 +14,7 @@ public:
 private:
     Materials& m_materials;
     ShaderMaterial m_sky;
+    Ogre::SceneNode* m_moon;
 };
 
 }  // namespace sagara::render

@@ -125,7 +125,11 @@ void ViewTarget::draw(Scene& scene) {
 }
 
 std::shared_ptr<const Picture> ViewTarget::readBack() {
-    auto picture = std::make_shared<Picture>();
+    // One that nobody looks at any more, if there is one: fresh memory for every frame costs a millisecond.
+    auto free =
+        std::find_if(m_pictures.begin(), m_pictures.end(), [](const auto& p) { return p.use_count() == 1; });
+    if (free == m_pictures.end()) free = m_pictures.insert(m_pictures.end(), std::make_shared<Picture>());
+    const std::shared_ptr<Picture> picture = *free;
     picture->width = static_cast<int>(m_target->getWidth());
     picture->height = static_cast<int>(m_target->getHeight());
     picture->bgra.resize(4 * static_cast<std::size_t>(picture->width) *

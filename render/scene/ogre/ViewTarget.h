@@ -63,6 +63,7 @@ private:
     std::shared_ptr<ViewportState> m_state;
     Ogre::RenderWindow* m_window;
     bool m_readBack;
+    std::vector<std::shared_ptr<Picture>> m_pictures;  ///< for reading back
     Ogre::TexturePtr m_texture;
     Ogre::RenderTarget* m_target = nullptr;
     Ogre::Camera* m_camera = nullptr;
