@@ -41,6 +41,12 @@ std::vector<Shot> shotsOf(const core::World& world, const render::Moment& m, con
         shots.push_back({"target-" + layout.id, render::shoreCamera(from, 0.25 * layout.length_m + 3.0,
                                                                     target.position, 2.0, lens)});
     }
+    for (const core::Mark& mark : world.area.marks) {
+        if (mark.kind != core::MarkKind::Lighthouse || !mark.light) continue;
+        shots.push_back({"light-" + mark.id,
+                         render::shoreCamera(mark.position + core::NorthEast{-600.0, 500.0}, 10.0,
+                                             mark.position, mark.light->height_m, lens.magnified(7.0))});
+    }
     const core::NorthEast entrance = world.area.frame.toLocal({6.03292, 80.22744});
     const core::NorthEast anchorage = world.area.frame.toLocal({6.007185, 80.227506});
     shots.push_back({"entrance", render::shoreCamera(world.area.frame.toLocal({6.0320, 80.2225}), 10.0,

@@ -11,7 +11,7 @@ namespace sagara::render {
 namespace {
 
 constexpr Paint kWhite{0.90, 0.89, 0.86};
-constexpr Paint kLamp{0.75, 0.78, 0.72, 0.9};
+constexpr Paint kLantern{0.62, 0.68, 0.66};  // glass; the light in it is LightsPart's
 constexpr Paint kRoofs[] = {{0.52, 0.23, 0.15}, {0.45, 0.26, 0.19}, {0.40, 0.36, 0.33}};
 constexpr Paint kWalls[] = {{0.84, 0.80, 0.70}, {0.88, 0.86, 0.82}, {0.80, 0.72, 0.54}, {0.72, 0.76, 0.74}};
 constexpr Paint kWindow{0.14, 0.14, 0.15, 0.8};
@@ -97,7 +97,7 @@ void Builder::lighthouse(const core::Mark& mark) {
                                          {lamp - 3.0, 2.0, kWhite},
                                          {lamp - 2.2, 2.9, kWhite},
                                          {lamp - 1.9, 2.9, darker(kWhite, 0.6)},
-                                         {lamp - 1.8, 1.5, kLamp},
+                                         {lamp - 1.8, 1.5, kLantern},
                                          {lamp + 1.2, 1.5, {0.55, 0.12, 0.10}},
                                          {lamp + 3.0, 0.15, {0.55, 0.12, 0.10}}}},
              14);

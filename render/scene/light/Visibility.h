@@ -26,7 +26,7 @@ inline PointLook lookOf(double lux, double night) {
     const double threshold = std::pow(10.0, -3.0 - 3.7 * night);
     const double decades = std::log10(std::max(1e-12, lux) / threshold);
     if (decades <= 0.0) return {};
-    return {std::min(1.0, 0.35 + 0.35 * decades), std::clamp(1.6 + 1.3 * decades, 1.6, 9.0)};
+    return {std::min(1.0, 0.35 + 0.35 * decades), 1.6 + 1.3 * decades + 4.0 * std::max(0.0, decades - 3.5)};
 }
 
 }  // namespace sagara::render

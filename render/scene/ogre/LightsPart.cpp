@@ -59,17 +59,19 @@ void LightsPart::shine(const Frame& frame, const View& view, core::NorthEast p, 
         lookOf(illuminance_lux(strength_cd, away_m, frame.light.extinction_perM), frame.light.night);
     if (look.brightness <= 0.0) return;
     const auto scaled = [&](double f) { return Colour{f * colour[0], f * colour[1], f * colour[2]}; };
-    place *= static_cast<float>(1.0 - std::min(0.02, 0.6 / std::max(1.0, away_m)));  // out of its mast
+    // Out of its lantern or mast.
+    place *= static_cast<float>(1.0 - std::min(0.05, 2.2 / std::max(1.0, away_m)));
     const double pixels = view.height / 720.0;
-    m_list.push_back({place, scaled(look.brightness), look.size_px * pixels, look.size_px * pixels});
+    const double size_px =
+        std::max(1.6, look.size_px * pixels);  // smaller ones would miss the pixels' middles
+    m_list.push_back({place, scaled(look.brightness), size_px, size_px});
     // Its path on the water, where the sight lines to it and from the eye are as steep.
     const double eye_m = view.camera.up_m;
     if (frame.light.night < 0.3 || up_m < 0.5 || away_m > 6000.0) return;
     Ogre::Vector3 water = place * static_cast<float>(eye_m / (eye_m + up_m));
     water.y = static_cast<float>(0.25 - eye_m);
     const double path_px = std::min(60.0, 900.0 * (eye_m + up_m) / away_m * 0.12) * pixels;
-    m_list.push_back(
-        {water, scaled(0.30 * look.brightness * frame.light.night), look.size_px * 0.8 * pixels, path_px});
+    m_list.push_back({water, scaled(0.30 * look.brightness * frame.light.night), 0.8 * size_px, path_px});
 }
 
 void LightsPart::shipLights(const Frame& frame, const View& view, const ShipForm& form,
