@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "core/exercise/Snapshot.h"
+
+namespace sagara::render {
+
+/// Where a ship is and how she lies. Frame N; angles as in core::ShipMotion.
+struct ShipPose {
+    core::NorthEast position;
+    double down_m = 0.0;
+    double roll_rad = 0.0;
+    double pitch_rad = 0.0;
+    double heading_rad = 0.0;
+    double speedThroughWater_mps = 0.0;  ///< ahead positive; makes bow wave and wake
+    double yawRate_radps = 0.0;
+    bool anchored = false;  ///< shows an anchor light instead of those under way
+    bool moored = false;    ///< shows no lights but deck lights
+};
+
+struct OwnShipPose : ShipPose {
+    double rudder_rad = 0.0;
+};
+
+struct TargetPose : ShipPose {
+    std::size_t index = 0;  ///< in World::targets
+};
+
+/// Everything about one instant that a picture shows, beside the World. Plain data: it crosses the link to
+/// the channels, and the same moment gives the same picture everywhere.
+struct Moment {
+    core::SimTime time;
+    std::vector<OwnShipPose> ships;   ///< as World::ships
+    std::vector<TargetPose> targets;  ///< only those that are there
+    core::Weather weather;
+    core::WindVelocity wind;
+    core::SeaState sea;
+    double tide_m = 0.0;  ///< above chart datum
+};
+
+Moment momentOf(const core::Snapshot& snapshot);
+
+/// The instant between two snapshots, a not later than b. Poses change evenly with time, angles the short
+/// way; sea and weather are a's. Time outside the two goes on at the same rate for at most the time between
+/// them.
+Moment between(const core::Snapshot& a, const core::Snapshot& b, core::SimTime time);
+
+}  // namespace sagara::render

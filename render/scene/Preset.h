@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace sagara::render {
+
+/// How much a machine is asked to draw. Medium is meant for two cores without a graphics card.
+enum class Preset { Low, Medium, High };
+
+std::optional<Preset> presetOf(std::string_view name);  ///< "low", "medium", "high"
+
+/// What a preset means, in one place.
+struct PresetFigures {
+    int seaRings;             ///< of the sea's polar grid
+    int seaColumnsPerSector;  ///< of 24 sectors
+    bool shortWaves;          ///< the 25 m tile in the picture's slopes
+    bool foam;
+    bool clouds;
+    int palms;
+    int houses;
+    double detailWithin_m;  ///< masts, rails and windows of ships nearer than this
+};
+PresetFigures figuresOf(Preset preset);
+
+}  // namespace sagara::render

@@ -1,0 +1,147 @@
+#include "render/scene/Stage.h"
+
+#include <OgreException.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+#include "render/headless/HeadlessGl.h"
+#include "render/scene/RenderThread.h"
+#include "render/scene/ogre/Scene.h"
+#include "render/scene/ogre/ViewTarget.h"
+
+namespace sagara::render {
+
+/// Everything on the render thread. Members are touched only there, but for those that say otherwise.
+class Stage::Work {
+public:
+    explicit Work(const StageOptions& options) : m_options(options) {}
+    ~Work() {
+        m_thread.run([this] {
+            m_targets.clear();
+            m_scene.reset();
+            m_host.reset();
+        });
+    }
+
+    /// Runs it there; an exception of OGRE becomes its words.
+    template <typename F>
+    std::optional<std::string> attempt(F&& work) {
+        std::optional<std::string> trouble;
+        m_thread.run([&] {
+            try {
+                work();
+            } catch (const Ogre::Exception& e) {
+                trouble = e.getDescription();
+            } catch (const std::runtime_error& e) {
+                trouble = e.what();
+            }
+        });
+        return trouble;
+    }
+
+    void open() { m_host = std::make_unique<Host>(); }
+    void show(std::shared_ptr<const core::World> world) {
+        for (const auto& target : m_targets) target->forget();
+        m_scene.reset();
+        m_scene = std::make_unique<Scene>(*m_host, std::move(world), m_options.assets, m_options.preset);
+    }
+    void add(std::shared_ptr<ViewportState> state) {
+        m_targets.push_back(std::make_unique<ViewTarget>(*m_host, std::move(state), nullptr, true));
+    }
+    void add(std::shared_ptr<ViewportState> state, const WindowOptions& o) {
+        auto* window = m_host->openWindow(o.title, o.width, o.height, o.fullScreen);
+        m_targets.push_back(std::make_unique<ViewTarget>(*m_host, std::move(state), window, o.readBack));
+    }
+    void draw(const Moment& moment) {
+        dropUnused();
+        if (!m_scene) return;
+        m_scene->advance(moment);
+        for (const auto& target : m_targets) target->draw(*m_scene);
+    }
+    void present() {
+        for (const auto& target : m_targets) target->present();
+    }
+
+    void drawSoon(Moment moment) {
+        {
+            const std::lock_guard lock(m_soonMutex);
+            const bool waiting = m_soon.has_value();
+            m_soon = std::move(moment);
+            if (waiting) return;
+        }
+        m_thread.post([this] {
+            std::optional<Moment> now;
+            {
+                const std::lock_guard lock(m_soonMutex);
+                now.swap(m_soon);
+            }
+            try {
+                draw(*now);
+                present();
+            } catch (const Ogre::Exception&) {
+                // The picture stays as it was; `draw` would say why.
+            }
+        });
+    }
+
+private:
+    /// A viewport nobody holds any more is not drawn.
+    void dropUnused() {
+        std::erase_if(m_targets, [](const auto& target) { return target->state().use_count() == 1; });
+    }
+
+    StageOptions m_options;
+    std::unique_ptr<Host> m_host;
+    std::unique_ptr<Scene> m_scene;
+    std::vector<std::unique_ptr<ViewTarget>> m_targets;
+    std::mutex m_soonMutex;
+    std::optional<Moment> m_soon;  ///< under m_soonMutex
+    RenderThread m_thread;
+};
+
+Stage::Stage(std::unique_ptr<Work> work) : m_work(std::move(work)) {}
+Stage::~Stage() = default;
+
+core::Result<std::unique_ptr<Stage>, std::string> Stage::open(const StageOptions& options) {
+    constexpr const char* kHelp =
+        "\nA picture needs OpenGL 3.3: the packages libogre-1.12-dev, libgl1-mesa-dri and libegl-mesa0 bring "
+        "it "
+        "to a machine without a graphics card.";
+    if (options.headless) {
+        if (auto trouble = useHeadlessGl()) return *trouble + kHelp;
+    } else if (!displayIsSet()) {
+        return std::string("There is no X display (DISPLAY is not set).");
+    }
+    auto work = std::make_unique<Work>(options);
+    if (auto trouble = work->attempt([&] { work->open(); }))
+        return "OGRE does not start: " + *trouble + kHelp;
+    return std::unique_ptr<Stage>(new Stage(std::move(work)));
+}
+
+std::optional<std::string> Stage::show(std::shared_ptr<const core::World> world) {
+    return m_work->attempt([&] { m_work->show(std::move(world)); });
+}
+
+std::shared_ptr<Viewport> Stage::addViewport(int width, int height) {
+    auto state = std::make_shared<ViewportState>(width, height);
+    (void)m_work->attempt([&] { m_work->add(state); });
+    return state;
+}
+
+core::Result<std::shared_ptr<Viewport>, std::string> Stage::addWindow(const WindowOptions& options) {
+    auto state = std::make_shared<ViewportState>(options.width, options.height);
+    if (auto trouble = m_work->attempt([&] { m_work->add(state, options); })) return *trouble;
+    return std::shared_ptr<Viewport>(state);
+}
+
+std::optional<std::string> Stage::draw(const Moment& moment) {
+    return m_work->attempt([&] { m_work->draw(moment); });
+}
+void Stage::present() {
+    (void)m_work->attempt([&] { m_work->present(); });
+}
+void Stage::drawSoon(Moment moment) { m_work->drawSoon(std::move(moment)); }
+
+}  // namespace sagara::render

@@ -1,0 +1,58 @@
+#include "render/scene/ogre/Scene.h"
+
+#include <OgreResourceGroupManager.h>
+#include <OgreRoot.h>
+
+#include "render/scene/ogre/LandPart.h"
+#include "render/scene/ogre/LightsPart.h"
+#include "render/scene/ogre/RainPart.h"
+#include "render/scene/ogre/SeaPart.h"
+#include "render/scene/ogre/ShipsPart.h"
+#include "render/scene/ogre/SkyPart.h"
+#include "render/scene/ogre/StarsPart.h"
+#include "render/scene/ogre/WakePart.h"
+
+namespace sagara::render {
+
+Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::filesystem::path& assets,
+             Preset preset)
+    : m_host(host),
+      m_world(std::move(world)),
+      m_figures(figuresOf(preset)),
+      m_scenes(host.root().createSceneManager()) {
+    Ogre::ResourceGroupManager::getSingleton().createResourceGroup(kSceneGroup);
+    m_materials = std::make_unique<Materials>(assets / "shaders", m_figures);
+    const PartContext context{*m_world, *m_scenes, *m_materials, m_figures};
+    m_parts.push_back(std::make_unique<SkyPart>(context));
+    auto ownSea = std::make_unique<SeaPart>(context);
+    SeaPart& sea = *ownSea;
+    m_parts.push_back(std::move(ownSea));
+    const ShaderMaterial solid = m_materials->make("solid");
+    m_parts.push_back(std::make_unique<ShipsPart>(context, solid));
+    m_parts.push_back(std::make_unique<LandPart>(context, solid));
+    m_parts.push_back(std::make_unique<LightsPart>(context, solid, sea));
+    m_parts.push_back(std::make_unique<StarsPart>(context));
+    m_parts.push_back(std::make_unique<WakePart>(context, sea));
+    m_parts.push_back(std::make_unique<RainPart>(context));
+}
+
+Scene::~Scene() {
+    m_parts.clear();
+    m_materials.reset();
+    m_host.root().destroySceneManager(m_scenes);
+    Ogre::ResourceGroupManager::getSingleton().destroyResourceGroup(kSceneGroup);
+}
+
+void Scene::advance(const Moment& moment) {
+    m_moment = moment;
+    m_light = skyLight(*m_world, m_moment);
+    const Frame frame{*m_world, m_moment, m_light};
+    for (const auto& part : m_parts) part->advance(frame);
+}
+
+void Scene::look(const Camera& camera, int width, int height) {
+    const Frame frame{*m_world, m_moment, m_light};
+    for (const auto& part : m_parts) part->look(frame, {camera, width, height});
+}
+
+}  // namespace sagara::render

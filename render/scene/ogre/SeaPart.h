@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+
+#include "render/scene/ogre/Part.h"
+#include "render/scene/sea/SeaTiles.h"
+
+namespace sagara::render {
+
+/// The sea: core's waves on a polar grid about the eye.
+class SeaPart final : public Part {
+public:
+    explicit SeaPart(const PartContext& context);
+    void advance(const Frame& frame) override;
+    void look(const Frame& frame, const View& view) override;
+    /// Gives a material what lift.glsl needs, and the slope maps, and keeps them up to date.
+    void lift(ShaderMaterial& material);
+    const SeaTiles& tiles() const { return m_tiles; }
+
+private:
+    /// Shelter and depth of the area as a texture, and where it lies in N.
+    struct WaterMap {
+        core::NorthEast southWest;
+        double size_m[2];  ///< east, north
+        Ogre::TexturePtr texture;
+    };
+    WaterMap waterMap(const core::World& world, std::size_t grid);
+
+    SeaTiles m_tiles;
+    ShaderMaterial m_material;
+    std::array<Ogre::TexturePtr, 3> m_heights;
+    std::array<Ogre::TexturePtr, 3> m_surfaces;
+    WaterMap m_far;
+    WaterMap m_near;
+    std::vector<Ogre::SceneNode*> m_sectors;
+    std::vector<ShaderMaterial> m_lifted;
+};
+
+}  // namespace sagara::render

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "render/scene/shape/Solid.h"
+#include "render/scene/ship/ShipForm.h"
+
+namespace sagara::render {
+
+/// A ship's picture in three parts, in her own frame.
+struct ShipShape {
+    Solid hull;        ///< shell, deck and what stands on the deck ahead: in view from her own bridge
+    Solid upperworks;  ///< around the eye on her bridge, so left out there
+    Solid detail;      ///< thin things that far ships need not show
+};
+/// `variant` chooses among colours usual for the type.
+ShipShape shapeOf(const ShipForm& form, unsigned variant);
+
+}  // namespace sagara::render
