@@ -1,9 +1,12 @@
 // sagara-view: one channel of the picture, or pictures for looking at. Options here, work in the other files.
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 
 #include "app/view/Bench.h"
+#include "app/view/Channel.h"
 #include "app/view/Shots.h"
 #include "render/headless/HeadlessGl.h"
+#include "render/wall/LocalChannels.h"
 
 namespace {
 
@@ -19,6 +22,8 @@ struct Request {
     view::ShotOptions shots;
     std::string windowed;
     view::BenchOptions bench;
+    std::string station;
+    view::ChannelRequest channel;
 };
 
 bool parseSize(const std::string& text, int& width, int& height) {
@@ -61,6 +66,13 @@ int main(int argc, char** argv) {
     auto* shots =
         app.add_option("--shots", r.shots.folder, "leave pictures from every camera in this folder");
     app.add_option("--shot", r.shots.only, "only those whose name begins so");
+    auto* connect =
+        app.add_option("--connect", r.station, "HOST:PORT of the station whose wall this is part of")
+            ->check([&r](const std::string& text) {
+                return view::parseStation(text, r.channel.station) ? std::string() : "expected HOST:PORT";
+            });
+    connect->needs(
+        app.add_option("--channel", r.channel.station.who.channel, "name of this channel in the layout"));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
@@ -73,6 +85,12 @@ int main(int argc, char** argv) {
     r.bench.window = !r.offscreen && (!r.windowed.empty() || r.bench.fullScreen);
     parseSize(r.windowed.empty() ? r.size : r.windowed, r.bench.width, r.bench.height);
     if (r.bench.window) r.stage.headless = false;
+    if (*connect) {
+        if (const char* token = std::getenv(wall::kTokenVariable)) r.channel.station.who.token = token;
+        r.channel.fullScreen = r.bench.fullScreen;
+        if (!r.windowed.empty()) r.channel.width = r.bench.width, r.channel.height = r.bench.height;
+        return view::runChannel(r.stage, r.channel);
+    }
     if (*bench) return view::bench(r.scenario, r.stage, r.bench);
     if (*shots) return view::takeShots(r.scenario, r.stage, r.shots);
     std::fprintf(stderr, "sagara-view: nothing to do; see --help\n");
