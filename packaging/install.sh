@@ -36,6 +36,9 @@ build_preset() {
     local preset=$1 status=0
     shift
     [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null || return 1
-    cmake --build --preset "$preset" ${1:+--target "$@"} | { grep -Ev '^(\[[0-9]+/[0-9]+\]|ninja: no work to do)' || true; } || status=$?
+    (
+        set -o pipefail
+        cmake --build --preset "$preset" ${1:+--target "$@"} | { grep -Ev '^(\[[0-9]+/[0-9]+\]|ninja: no work to do)' || true; }
+    ) || status=$?
     return "$status"
 }
