@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <vector>
 
 #include "PngReader.h"
 #include "core/exercise/Session.h"
@@ -102,6 +103,22 @@ TEST(Golden, EightPicturesAreAsTheyWere) {
             (void)writePng(*view->latest(), found / file);
         }
         EXPECT_LE(off, kTolerance) << "now: " << (found / file).string();
+    }
+}
+
+TEST(Golden, AStageCanBeOpenedAgainAfterTheFirstHasGone) {
+    const auto world = test::lessonWorld();
+    const Moment moment = momentOf(core::view(*world, core::startState(*world, 3)));
+    std::vector<std::uint8_t> before;
+    for (int round = 0; round < 2; ++round) {
+        auto opened = Stage::open({SAGARA_ASSETS, Preset::Low, true});
+        ASSERT_TRUE(opened) << opened.error();
+        ASSERT_FALSE((**opened).show(world));
+        const auto view = (*opened)->addViewport(64, 36);
+        view->setCamera(bridgeCamera(*world, moment, 0, 0.0, Lens::symmetric(1.0, 64, 36)));
+        ASSERT_FALSE((*opened)->draw(moment));
+        EXPECT_TRUE(round == 0 || view->latest()->bgra == before);
+        before = view->latest()->bgra;
     }
 }
 
