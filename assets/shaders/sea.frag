@@ -28,11 +28,10 @@ void main() {
     float breaking = (a.b * 2.0 - 1.0) * u_accelerationScale.x + (b.b * 2.0 - 1.0) * u_accelerationScale.y;
 #ifdef SHORT_WAVES
     vec4 c = texture(u_surface2, u_tile2.xy + en * u_tile2.z);
-    vec2 fine = (c.rg * 2.0 - 1.0) * u_slopeScale.z;
-    slope += fine;
+    slope += (c.rg * 2.0 - 1.0) * u_slopeScale.z;
     mean2 += c.a * u_slopeScale.z * u_slopeScale.z;
 #else
-    vec2 fine = vec2(0.0);
+    vec4 c = vec4(0.5);
     mean2 += 0.5 * u_slopeScale.z * u_slopeScale.z;
 #endif
     slope *= v_water.x;
@@ -72,10 +71,11 @@ void main() {
     vec3 colour = mix(body, sky, clamp(fresnel, 0.0, 1.0)) + shine;
 #ifdef FOAM
     float low = -breaking * v_water.x * v_water.x;
-    float foam = smoothstep(u_foam.x, u_foam.x + u_foam.y, low + dot(fine, vec2(0.9, 0.7)) * u_foam.y);
-    float streaks = 0.55 + 0.45 * smoothstep(-0.10, 0.12, fine.x - fine.y);
-    colour = mix(colour, (u_sky.rgb * 1.25 + u_sunColour.rgb * (0.2 + 0.5 * max(u_sun.y, 0.0))) * 0.95,
-                 foam * streaks * 0.85);
+    float amount = smoothstep(u_foam.x, u_foam.x + u_foam.y, low);
+    // Torn by the shorter waves: the more there is, the fewer holes.
+    float torn = 0.6 + 1.5 * (b.r + b.g + 0.8 * (c.r + c.g) - 1.8);
+    float foam = amount * smoothstep(1.0 - amount, 1.5 - amount, torn);
+    colour = mix(colour, (u_sky.rgb * 1.25 + u_sunColour.rgb * (0.2 + 0.5 * max(u_sun.y, 0.0))) * 0.85, foam * 0.85);
 #endif
     o_colour = vec4(colour * v_air.a + v_air.rgb, 1.0);
 }

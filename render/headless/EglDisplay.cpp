@@ -73,6 +73,7 @@ bool EglDisplay::open() {
 }
 
 EGLContext EglDisplay::createContext(EGLContext share, int major, int minor) const {
+    eglBindAPI(EGL_OPENGL_API);  // a state of the thread, and each stage has its own
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  major,
                                  EGL_CONTEXT_MINOR_VERSION,
@@ -84,7 +85,7 @@ EGLContext EglDisplay::createContext(EGLContext share, int major, int minor) con
 }
 
 bool EglDisplay::makeCurrent(std::uint64_t window, EGLContext context) {
-    eglBindAPI(EGL_OPENGL_API);  // a state of the thread
+    eglBindAPI(EGL_OPENGL_API);
     if (context == EGL_NO_CONTEXT)
         return eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) == EGL_TRUE;
     const auto found = m_windows.find(window);

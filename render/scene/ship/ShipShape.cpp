@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/light/ShipLights.h"
 #include "render/scene/ship/HullSurface.h"
 
 namespace sagara::render {
@@ -285,6 +286,11 @@ ShipShape Builder::build() {
         case ShipStyle::FastCraft:
             fastCraft();
             break;
+    }
+    // Staffs for the lights on her centreline that no mast carries.
+    for (const ShipLight& light : lightsOf(f, ShipActivity::UnderWay)) {
+        const Point p = light.position;
+        if (p.y == 0.0) shape.upperworks.bar({p.x, 0, deck(p.x)}, {p.x, 0, p.up + 0.25}, 0.06, kSteel, 4);
     }
     return std::move(shape);
 }
