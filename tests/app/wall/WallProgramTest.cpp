@@ -26,11 +26,11 @@ protected:
     void TearDown() override { fs::remove_all(m_folder); }
 
     /// Exit code; both outputs in m_output.
-    int run(const std::string& arguments) {
+    int run(const std::string& arguments, const char* view = SAGARA_FAKE_VIEW) {
         const std::string log = (m_folder / "log").string();
         const int status =
             std::system((std::string(SAGARA_SIM) + " wall --data " + (m_folder / "data").string() +
-                         " --view " + SAGARA_FAKE_VIEW + " " + arguments + " >" + log + " 2>&1")
+                         " --view " + view + " " + arguments + " >" + log + " 2>&1")
                             .c_str());
         m_output = test::readFile(log);
         return WEXITSTATUS(status);
@@ -54,6 +54,21 @@ TEST_F(WallProgram, RunsTheLessonWithThreeChannelsAndComposesTheirPictures) {
     }
     EXPECT_TRUE(fs::exists(shots / "wall-0001.png")) << m_output;
     EXPECT_TRUE(fs::exists(shots / "wall-0002.png")) << m_output;
+}
+
+TEST_F(WallProgram, TheRealChannelsDrawTheExerciseWithoutAnXServer) {
+    const fs::path shots = m_folder / "shots";
+    ::unsetenv("DISPLAY");
+    ASSERT_EQ(
+        run("--scenario basic-navigation --offscreen --size 160x90 --fast --rate-hz 10 --duration-s 1.5 "
+            "--shot-every-s 0.5 --shots " +
+                shots.string(),
+            SAGARA_VIEW),
+        0)
+        << m_output;
+    EXPECT_NE(m_output.find("3 of 3 channels in step"), std::string::npos) << m_output;
+    ASSERT_TRUE(fs::exists(shots / "wall-0001.png")) << m_output;
+    EXPECT_GT(fs::file_size(shots / "wall-0001.png"), 10'000u);  // one colour would need far less
 }
 
 TEST_F(WallProgram, SteppedFramesAreAsManyAsTheTimeHas) {
