@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -84,7 +85,10 @@ private:
             return std::nullopt;
         }
         const bool fullScreen = m_request.fullScreen || m_view.output == link::Output::Fullscreen;
-        auto window = m_stage->addWindow({"Sagara " + m_view.name, width(), height(), fullScreen, true});
+        // Beside each other, as their pictures are.
+        const double across_rad = std::atan(m_view.frustum.left) + std::atan(m_view.frustum.right);
+        auto window = m_stage->addWindow(
+            {"Sagara " + m_view.name, width(), height(), fullScreen, true, m_view.yaw_rad / across_rad});
         if (!window) return window.error();
         m_viewport = std::move(window).value();
         return std::nullopt;

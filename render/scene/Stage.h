@@ -44,6 +44,7 @@ struct WindowOptions {
     int height = 720;
     bool fullScreen = false;
     bool readBack = false;  ///< keep each picture in `latest` as well
+    double aside = 0.0;     ///< to the right of the middle of the screen, in widths of it
 };
 
 /// The one OGRE scene of a process on its own render thread. Any number of viewports show it. Use a second

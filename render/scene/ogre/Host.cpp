@@ -5,6 +5,8 @@
 #include <OgreRenderWindow.h>
 #include <OgreRoot.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace sagara::render {
@@ -30,12 +32,19 @@ Host::Host() {
 
 Host::~Host() = default;
 
-Ogre::RenderWindow* Host::openWindow(const std::string& title, int width, int height, bool fullScreen) {
+Ogre::RenderWindow* Host::openWindow(const std::string& title, int width, int height, bool fullScreen,
+                                     double aside) {
     Ogre::NameValuePairList options;
     options["title"] = title;
     options["vsync"] = "false";
-    return m_root->createRenderWindow(title, static_cast<unsigned>(width), static_cast<unsigned>(height),
-                                      fullScreen, &options);
+    Ogre::RenderWindow* const window = m_root->createRenderWindow(
+        title, static_cast<unsigned>(width), static_cast<unsigned>(height), fullScreen, &options);
+    unsigned w = 0, h = 0, depth = 0;
+    int middle = 0, top = 0;  // OGRE puts a window into the middle of the screen
+    window->getMetrics(w, h, depth, middle, top);
+    const int left = middle + static_cast<int>(std::lround(aside * width));
+    if (!fullScreen && aside != 0.0) window->reposition(std::clamp(left, 0, std::max(0, 2 * middle)), top);
+    return window;
 }
 
 void Host::closeWindow(Ogre::RenderWindow* window) {

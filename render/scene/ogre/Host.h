@@ -19,7 +19,9 @@ public:
     Host& operator=(const Host&) = delete;
 
     Ogre::Root& root() { return *m_root; }
-    Ogre::RenderWindow* openWindow(const std::string& title, int width, int height, bool fullScreen);
+    /// `aside`: to the right of the middle of the screen, in widths, as far as the screen goes.
+    Ogre::RenderWindow* openWindow(const std::string& title, int width, int height, bool fullScreen,
+                                   double aside);
     void closeWindow(Ogre::RenderWindow* window);
 
 private:
