@@ -113,7 +113,7 @@ TEST_F(ValidateDocument, CommandsAreCheckedAgainstTheirScenario) {
 TEST_F(ValidateDocument, AnUnknownKindSaysWhatThereIs) {
     EXPECT_EQ(problemsOf(R"({"document": "poem"})"),
               (std::vector<std::string>{
-                  "document is \"poem\", expected one of vessel, area, scenario, commands, rubric"}));
+                  "document is \"poem\", expected one of vessel, area, scenario, commands, rubric, wall"}));
     expectOneBegins(problemsOf("{}"), "document is missing");
     expectOneBegins(problemsOf("[]"), "");
     expectOneBegins(problemsOf(""), "is not JSON");

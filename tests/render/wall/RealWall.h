@@ -57,8 +57,9 @@ protected:
     bool allInStep() const;
     ChannelStatus statusOf(const std::string& channel) const;
     void signal(const std::string& channel, int number);
-    /// No frame left out between the first and the last that was shown, and no gap beyond the deadline.
-    void expectUnbroken(const std::string& channel) const;
+    /// No frame left out between the first and the last that was shown, and no gap beyond the deadline. Waits
+    /// for more where too few were shown to tell.
+    void expectUnbroken(const std::string& channel);
     /// Pictures of all channels in step of the same frame: equal only when their worlds and frames are.
     void expectEqualPictures();
 
