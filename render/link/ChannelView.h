@@ -36,7 +36,6 @@ struct ChannelView {
     std::uint32_t width_px = 1280;
     std::uint32_t height_px = 720;
     Output output = Output::Window;
-    std::uint32_t screen = 0;  ///< for Fullscreen
     friend bool operator==(const ChannelView&, const ChannelView&) = default;
 };
 

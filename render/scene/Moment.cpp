@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/Angle.h"
-
 namespace sagara::render {
 namespace {
 
@@ -38,19 +36,6 @@ TargetPose poseOf(const core::TargetView& target) {
     return p;
 }
 
-double mix(double a, double b, double f) { return a + (b - a) * f; }
-double mixAngle(double a, double b, double f) { return a + core::wrapPi(b - a) * f; }
-
-void mixInto(ShipPose& a, const ShipPose& b, double f) {
-    a.position = a.position + f * (b.position - a.position);
-    a.down_m = mix(a.down_m, b.down_m, f);
-    a.roll_rad = mix(a.roll_rad, b.roll_rad, f);
-    a.pitch_rad = mix(a.pitch_rad, b.pitch_rad, f);
-    a.heading_rad = mixAngle(a.heading_rad, b.heading_rad, f);
-    a.speedThroughWater_mps = mix(a.speedThroughWater_mps, b.speedThroughWater_mps, f);
-    a.yawRate_radps = mix(a.yawRate_radps, b.yawRate_radps, f);
-}
-
 }  // namespace
 
 Moment momentOf(const core::Snapshot& snapshot) {
@@ -62,23 +47,6 @@ Moment momentOf(const core::Snapshot& snapshot) {
     m.wind = snapshot.wind;
     m.sea = snapshot.sea;
     m.tide_m = snapshot.tide_m;
-    return m;
-}
-
-Moment between(const core::Snapshot& a, const core::Snapshot& b, core::SimTime time) {
-    Moment m = momentOf(a);
-    m.time = time;
-    const double span_us = static_cast<double>(b.time().us - a.time().us);
-    if (span_us <= 0.0) return m;
-    const double f = std::clamp(static_cast<double>(time.us - a.time().us) / span_us, -1.0, 2.0);
-    for (std::size_t i = 0; i < std::min(m.ships.size(), b.ships.size()); ++i)
-        mixInto(m.ships[i], poseOf(b.ships[i]), f);
-    for (TargetPose& target : m.targets) {
-        const auto later = std::find_if(b.targets.begin(), b.targets.end(),
-                                        [&](const core::TargetView& t) { return t.index == target.index; });
-        if (later != b.targets.end()) mixInto(target, poseOf(*later), f);
-    }
-    m.tide_m = mix(a.tide_m, b.tide_m, f);
     return m;
 }
 

@@ -41,9 +41,4 @@ struct Moment {
 
 Moment momentOf(const core::Snapshot& snapshot);
 
-/// The instant between two snapshots, a not later than b. Poses change evenly with time, angles the short
-/// way; sea and weather are a's. Time outside the two goes on at the same rate for at most the time between
-/// them.
-Moment between(const core::Snapshot& a, const core::Snapshot& b, core::SimTime time);
-
 }  // namespace sagara::render

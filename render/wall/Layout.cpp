@@ -82,7 +82,6 @@ LayoutChannel readChannel(Node node) {
                                                            {"fullscreen", link::Output::Fullscreen},
                                                            {"offscreen", link::Output::Offscreen}})
                       : link::Output::Window;
-    view.screen = static_cast<std::uint32_t>(in.integerOr("screen", 0, 0, 63));
     in.rejectUnknownKeys();
     return channel;
 }
