@@ -41,12 +41,33 @@ void LiveRun::run() {
             due += lag;  // no burst to catch up: that would only make it worse
             m_lagged_s = m_lagged_s + std::chrono::duration<double>(lag).count();
         }
+        const std::size_t given = takeOrders();
         (void)m_session.step();
         auto snapshot = snapshotOf(m_session);
         const std::lock_guard lock(m_mutex);
+        if (given > 0 && m_given.empty()) m_carriedOut = snapshot->time();
         m_trail.add(std::move(snapshot));
     }
     m_over = m_session.over();
+}
+
+std::size_t LiveRun::takeOrders() {
+    const std::lock_guard lock(m_mutex);
+    const std::size_t count = m_given.size();
+    for (auto& [ship, order] : m_given) m_session.give(ship, std::move(order));
+    m_given.clear();
+    return count;
+}
+
+void LiveRun::give(std::uint8_t ship, core::Order order) {
+    const std::lock_guard lock(m_mutex);
+    m_given.emplace_back(ship, std::move(order));
+    m_carriedOut.reset();
+}
+
+std::optional<core::SimTime> LiveRun::carriedOut() const {
+    const std::lock_guard lock(m_mutex);
+    return m_carriedOut;
 }
 
 wall::Moment LiveRun::now() {

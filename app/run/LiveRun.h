@@ -3,7 +3,10 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "core/exercise/Session.h"
 #include "render/link/Interpolate.h"
@@ -21,6 +24,11 @@ public:
     /// Time runs from now on; until then the first moment is shown.
     void start();
     void stop();
+    /// An order from outside; it is carried out in the next tick.
+    void give(std::uint8_t ship, core::Order order);
+    /// The moment from which pictures show the orders given before the last call of `give` returned; none
+    /// while they wait.
+    std::optional<core::SimTime> carriedOut() const;
     bool over() const { return m_over; }
     double lagged_s() const { return m_lagged_s; }  ///< simulation time lost because the machine was too slow
 
@@ -29,10 +37,13 @@ public:
 
 private:
     void run();
+    std::size_t takeOrders();
 
-    core::Session m_session;  ///< of the thread once it runs
-    std::mutex m_mutex;       ///< of the trail
+    core::Session m_session;     ///< of the thread once it runs
+    mutable std::mutex m_mutex;  ///< of the next three
     link::SnapshotTrail m_trail;
+    std::vector<std::pair<std::uint8_t, core::Order>> m_given;
+    std::optional<core::SimTime> m_carriedOut;
     wall::FrameClock m_clock;
     std::atomic<bool> m_stop{false};
     std::atomic<bool> m_over{false};

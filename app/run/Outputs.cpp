@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/Files.h"
 #include "app/run/Console.h"
-#include "app/run/Files.h"
 #include "app/run/FillReport.h"
 
 namespace sagara::run {
@@ -26,7 +26,7 @@ void TrackOutput::add(const core::TrackSample& sample) {
 
 bool TrackOutput::write() const {
     if (!m_path) return true;
-    const auto failed = writeTextFile(*m_path, m_csv.text());
+    const auto failed = files::writeTextFile(*m_path, m_csv.text());
     if (failed) tell(failed->message);
     return !failed;
 }

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "app/files/Files.h"
 #include "app/run/Console.h"
-#include "app/run/Files.h"
 #include "app/run/GradeRecording.h"
 #include "app/run/Outputs.h"
 #include "app/run/RunExercise.h"
@@ -13,7 +13,7 @@ namespace {
 bool readRubric(const ReplayOptions& options, const core::World& world,
                 std::shared_ptr<const core::Mission>& rubric) {
     if (!options.rubric) return true;
-    const auto text = readTextFile(*options.rubric);
+    const auto text = files::readTextFile(*options.rubric);
     if (!text) return tell(text.error().message), false;
     auto loaded = core::loadRubric(options.rubric->string(), *text, world);
     if (!loaded) return tell(loaded.error().text()), false;
@@ -25,7 +25,7 @@ bool readRubric(const ReplayOptions& options, const core::World& world,
 
 int replayRecording(const ReplayOptions& options) {
     const std::string name = options.recording.string();
-    const auto bytes = readBinaryFile(options.recording);
+    const auto bytes = files::readBinaryFile(options.recording);
     if (!bytes) return tell(bytes.error().message), kBadRequest;
     const auto recording = core::readRecording(*bytes);
     if (!recording) return tell(name + ": " + recording.error()), kBadRequest;

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/files/Files.h"
+#include "app/files/FindScenario.h"
 #include "app/run/Console.h"
-#include "app/run/Files.h"
 #include "app/run/Outputs.h"
 #include "app/run/RecordingFile.h"
 #include "app/run/RunFiling.h"
@@ -61,7 +62,7 @@ std::optional<std::vector<core::Command>> plannedCommands(const core::World& wor
     if (options.pilot) planned.push_back({0, 0, core::PilotOrder{true}});
     addEnd(options.duration_s, planned);
     if (!options.commands) return planned;
-    const auto text = readTextFile(*options.commands);
+    const auto text = files::readTextFile(*options.commands);
     if (!text) return tell(text.error().message), std::nullopt;
     auto loaded = core::loadCommands(options.commands->string(), *text, core::orderNames(world));
     if (!loaded) return tell(loaded.error().text()), std::nullopt;
@@ -81,7 +82,7 @@ std::optional<std::string> traineeName(const RunOptions& options) {
 std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     const auto trainee = traineeName(options);
     if (!trainee) return std::nullopt;
-    auto scenario = findScenario(store, options.scenario);
+    auto scenario = files::findScenario(store, options.scenario);
     if (!scenario) return tell(scenario.error()), std::nullopt;
     const auto documents = core::collectDocuments(std::move(scenario).value(), store);
     if (!documents) return tell(documents.error().text()), std::nullopt;
@@ -107,7 +108,7 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
 
 std::optional<Prepared> prepareResumed(const RunOptions& options) {
     const fs::path& path = *options.resume;
-    const auto bytes = readBinaryFile(path);
+    const auto bytes = files::readBinaryFile(path);
     if (!bytes) return tell(bytes.error().message), std::nullopt;
     const auto recording = core::readRecording(*bytes);
     if (!recording) return tell(path.string() + ": " + recording.error()), std::nullopt;
@@ -229,7 +230,7 @@ int runExercise(Store& store, const RunOptions& options) {
     if (!unfiled.empty()) tell(unfiled);
     sound = track.write() && sound;
     if (options.report) {
-        const auto bytes = readBinaryFile(prepared->recording);
+        const auto bytes = files::readBinaryFile(prepared->recording);
         const auto recording = bytes ? core::readRecording(*bytes)
                                      : core::Result<core::Recording, std::string>(bytes.error().message);
         if (!recording) tell(recording.error());

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/run/Files.h"
+#include "app/files/Files.h"
 #include "app/run/GradeRecording.h"
 #include "core/exercise/Replay.h"
 #include "db/PersonRepository.h"
@@ -39,7 +39,7 @@ fs::path notePath(const fs::path& recording, const std::string& text) {
     for (int i = 1;; ++i) {
         fs::path path = recording;
         path += i == 1 ? ".unfiled" : fmt::format("-{}.unfiled", i);
-        const auto known = readTextFile(path);
+        const auto known = files::readTextFile(path);
         if (!known || *known == text) return path;
     }
 }
@@ -93,7 +93,7 @@ std::string RunFiling::note(const std::string& recordingName) {
     const fs::path recording = m_store.folder().pathOf(recordingName);
     const std::string text = recordingName + "\n";
     const auto failed =
-        writeTextFile(notePath(m_store.folder().recordings() / recording.filename(), text), text);
+        files::writeTextFile(notePath(m_store.folder().recordings() / recording.filename(), text), text);
     if (failed)
         return "The run is kept in " + recording.string() +
                " but could not be noted for filing: " + failed->message;
@@ -101,7 +101,7 @@ std::string RunFiling::note(const std::string& recordingName) {
 }
 
 std::string RunFiling::fileFromRecording(const fs::path& path) {
-    auto bytes = readBinaryFile(path);
+    auto bytes = files::readBinaryFile(path);
     if (!bytes) return bytes.error().message;
     const auto recording = core::readRecording(*bytes);
     if (!recording) return path.string() + ": " + recording.error();
@@ -120,7 +120,7 @@ std::vector<std::string> RunFiling::fileNoted() {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(m_store.folder().recordings(), ignored)) {
         if (entry.path().extension() != ".unfiled") continue;
-        auto name = readTextFile(entry.path());
+        auto name = files::readTextFile(entry.path());
         if (!name) continue;
         std::string recording = std::move(name).value();
         while (!recording.empty() && recording.back() == '\n') recording.pop_back();

@@ -8,14 +8,18 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "app/run/AssetSource.h"
+#include "app/files/AssetSource.h"
+#include "app/files/Files.h"
+#include "app/files/FindScenario.h"
+#include "app/run/CommandDelay.h"
 #include "app/run/Console.h"
-#include "app/run/Files.h"
 #include "app/run/LiveRun.h"
 #include "app/run/RunOptions.h"
 #include "app/run/WallPictures.h"
 #include "app/run/WallStatistics.h"
 #include "core/base/Config.h"
+#include "core/base/Units.h"
+#include "core/exercise/Session.h"
 #include "render/link/SteadyClock.h"
 #include "render/wall/LocalChannels.h"
 
@@ -29,8 +33,8 @@ constexpr double kAssemble_s = 20.0;  ///< channels that are not there by then j
 std::optional<wall::Layout> findLayout(const WallRunOptions& options) {
     const bool id = core::config::isId(options.layout);
     const fs::path path =
-        id ? assetFolder() / "walls" / (options.layout + ".json") : fs::path(options.layout);
-    const auto text = readTextFile(path);
+        id ? files::assetFolder() / "walls" / (options.layout + ".json") : fs::path(options.layout);
+    const auto text = files::readTextFile(path);
     if (!text) return tell(text.error().message), std::nullopt;
     auto loaded = wall::loadLayout(path.filename().string(), *text);
     if (!loaded) return tell(loaded.error().text()), std::nullopt;
@@ -41,9 +45,10 @@ std::optional<wall::Layout> findLayout(const WallRunOptions& options) {
 }
 
 std::shared_ptr<const core::World> findWorld(const Store& store, const WallRunOptions& options) {
-    auto scenario = findScenario(store, options.scenario);
+    const auto scenario = files::findScenario(store, options.scenario);
     if (!scenario) return tell(scenario.error()), nullptr;
-    const auto documents = core::collectDocuments(std::move(scenario).value(), store);
+    const auto documents =
+        core::collectDocuments({scenario->name, files::changed(scenario->text, options.changes)}, store);
     if (!documents) return tell(documents.error().text()), nullptr;
     auto world = core::buildWorld(*documents, options.seed);
     if (!world) return tell(world.error().text()), nullptr;
@@ -71,9 +76,9 @@ public:
         : m_options(options),
           m_layout(std::move(layout)),
           m_world(std::move(world)),
-          m_live(m_world, core::startState(*m_world, options.level), planned(options)),
-          m_stepped(m_world, core::startState(*m_world, options.level), planned(options),
-                    1.0 / options.rate_Hz),
+          m_start(startOf(m_world, options)),
+          m_live(m_world, m_start, planned(options)),
+          m_stepped(m_world, m_start, planned(options), 1.0 / options.rate_Hz),
           m_server(
               m_layout, serverOptions(options), m_world, [this] { return moment(); }, *this) {
         std::vector<std::string> names;
@@ -112,9 +117,11 @@ public:
     }
     void shown(const std::string& channel, std::uint64_t frame, std::int64_t at_us) override {
         if (m_started) m_statistics.shown(channel, frame, at_us);
+        m_delay.shown(frame, at_us);
     }
-    void frameOver(std::uint64_t, std::int64_t spread_us) override {
+    void frameOver(std::uint64_t frame, std::int64_t spread_us) override {
         if (m_started) m_statistics.frameOver(spread_us);
+        m_delay.frameOver(frame);
     }
     void picture(const std::string& channel, const link::Picture& picture) override {
         if (m_pictures) m_pictures->add(channel, picture);
@@ -122,7 +129,13 @@ public:
     void note(const std::string& message) override { tell(message); }
 
 private:
+    static core::State startOf(const std::shared_ptr<const core::World>& world,
+                               const WallRunOptions& options) {
+        const core::SimTime at{static_cast<std::int64_t>(1e6 * options.at_s)};
+        return core::sailedByPilot(world, options.level, at);
+    }
     static std::vector<core::Command> planned(const WallRunOptions& options) {
+        if (options.at_s > 0.0) return {{0, 0, core::PilotOrder{options.pilot}}};
         if (!options.pilot) return {};
         return {{0, 0, core::PilotOrder{true}}};
     }
@@ -138,6 +151,8 @@ private:
     wall::Moment moment() {
         wall::Moment moment = m_options.fast ? m_stepped.next() : m_live.now();
         m_time = moment.time;
+        if (const auto at = m_live.carriedOut()) m_delay.carriedOut(*at);
+        m_delay.sent(m_server.frame(), moment.time);
         return moment;
     }
     bool over() const { return m_options.fast ? m_stepped.over() : m_live.over(); }
@@ -174,6 +189,7 @@ private:
         const double sailed_s = m_time.seconds() - m_first.seconds();
         takeShots(sailed_s);
         if (m_options.killEvery_s && now_s - m_lastKill_s >= *m_options.killEvery_s) killOne(now_s);
+        if (m_options.orderEvery_s && now_s - m_lastOrder_s >= *m_options.orderEvery_s) giveOrder(now_s);
         if (sailed_s >= m_options.duration_s || over()) m_loop.quit();
         if (m_progress.due()) m_progress.show(m_statistics.text());
     }
@@ -197,11 +213,21 @@ private:
         ::kill(static_cast<pid_t>(process->processId()), SIGKILL);
     }
 
+    /// Port and starboard five in turn: seen in the rudder, harmless to the ship.
+    void giveOrder(double now_s) {
+        if (m_delay.waiting()) return;
+        m_lastOrder_s = now_s;
+        m_portFive = !m_portFive;
+        m_delay.given(link::steadyClock_us());
+        m_live.give(0, core::HelmOrder{(m_portFive ? -5.0 : 5.0) * core::kDegree_rad});
+    }
+
     int report(const std::vector<wall::ChannelStatus>& status) {
         if (m_pictures) writeShot();
         if (!m_started) return tell("no channel came into step"), kMachineFailed;
         std::string text = fmt::format("wall {}: {}\n", m_layout.id, m_statistics.text());
         for (const wall::ChannelStatus& channel : status) text += "  " + m_statistics.textOf(channel) + "\n";
+        if (m_options.orderEvery_s) text += "  " + m_delay.text() + "\n";
         if (m_live.lagged_s() > 0.0)
             text += fmt::format("  the simulation fell back by {:.1f} s: this machine is too slow for it\n",
                                 m_live.lagged_s());
@@ -214,6 +240,7 @@ private:
     const WallRunOptions& m_options;
     wall::Layout m_layout;
     std::shared_ptr<const core::World> m_world;
+    core::State m_start;
     LiveRun m_live;
     SteppedRun m_stepped;
     std::optional<WallPictures> m_pictures;
@@ -223,7 +250,9 @@ private:
     wall::WallServer m_server;
     QEventLoop m_loop;
     core::SimTime m_time, m_first;
-    double m_begun_s = 0.0, m_nextShot_s = 0.0, m_lastKill_s = 0.0;
+    CommandDelay m_delay;
+    double m_begun_s = 0.0, m_nextShot_s = 0.0, m_lastKill_s = 0.0, m_lastOrder_s = 0.0;
+    bool m_portFive = false;
     std::size_t m_kills = 0;
     bool m_started = false;
     bool m_sound = true;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/ScenarioChanges.h"
 #include "app/run/Store.h"
 
 namespace sagara::run {
@@ -18,6 +19,8 @@ struct WallRunOptions {
     bool pilot = false;
     int level = 3;
     std::uint64_t seed = 1;
+    files::ScenarioChanges changes;
+    double at_s = 0.0;  ///< the wall opens after the pilot has sailed so long
     bool offscreen = false;
     std::optional<std::pair<std::uint32_t, std::uint32_t>> size_px;  ///< of every channel
     double rate_Hz = 60.0;                                           ///< at most
@@ -29,7 +32,8 @@ struct WallRunOptions {
     std::vector<std::string> viewArguments;
     bool listen = false;  ///< to other PCs; the token is in SAGARA_TOKEN
     std::uint16_t port = 0;
-    std::optional<double> killEvery_s;  ///< for trials: kills a local channel, one after the other
+    std::optional<double> killEvery_s;   ///< for trials: kills a local channel, one after the other
+    std::optional<double> orderEvery_s;  ///< for trials: helm orders, to see how soon they show
 };
 
 /// Runs an exercise with its wall and without a station. Figures on standard output, what happens on standard

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "app/run/Files.h"
+#include "app/files/Files.h"
 #include "core/base/Config.h"
 #include "db/DocumentRepository.h"
 #include "db/Transaction.h"
@@ -82,22 +82,6 @@ std::optional<std::string> Store::find(core::DocumentKind kind, const std::strin
     auto document = db::DocumentRepository(*m_database, tableOf(kind)).find(id);
     if (!document) return std::nullopt;
     return std::move(document->text);
-}
-
-core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source,
-                                                        const std::string& idOrFile) {
-    if (core::config::isId(idOrFile)) {
-        if (auto text = source.find(core::DocumentKind::Scenario, idOrFile))
-            return core::NamedText{idOrFile, std::move(*text)};
-    }
-    std::error_code ignored;
-    if (std::filesystem::exists(idOrFile, ignored)) {
-        auto text = readTextFile(idOrFile);
-        if (!text) return text.error().message;
-        return core::NamedText{idOrFile, std::move(text).value()};
-    }
-    return "there is no scenario \"" + idOrFile +
-           "\" in the database and no file of that name; see `sagara-sim list scenarios`";
 }
 
 }  // namespace sagara::run

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run/AssetSource.h"
+#include "app/files/AssetSource.h"
 #include "core/base/Utc.h"
 #include "core/exercise/Documents.h"
 #include "db/DataFolder.h"
@@ -35,22 +35,17 @@ public:
     const std::string& trouble() const { return m_trouble; }
 
 private:
-    explicit Store(db::DataFolder folder) : m_folder(std::move(folder)), m_assets(assetFolder()) {}
+    explicit Store(db::DataFolder folder) : m_folder(std::move(folder)), m_assets(files::assetFolder()) {}
     void openDatabase();
     void takeInAssets();
 
     db::DataFolder m_folder;
-    AssetSource m_assets;
+    files::AssetSource m_assets;
     std::unique_ptr<db::Database> m_database;
     std::string m_trouble;
 };
 
 /// The wall clock.
 core::Utc now();
-
-/// A scenario by id, or by the name of a file. Problems of the file are its reader's; here only whether there
-/// is a text.
-core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source,
-                                                        const std::string& idOrFile);
 
 }  // namespace sagara::run

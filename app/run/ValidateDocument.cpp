@@ -1,7 +1,7 @@
 #include "app/run/ValidateDocument.h"
 
+#include "app/files/Files.h"
 #include "app/run/Console.h"
-#include "app/run/Files.h"
 #include "app/run/RunOptions.h"
 #include "core/base/Config.h"
 #include "core/exercise/OrderDocument.h"
@@ -76,7 +76,7 @@ Problems check(const Store& store, const std::string& name, const std::string& t
 }  // namespace
 
 int validateDocument(const Store& store, const std::filesystem::path& path) {
-    const auto text = readTextFile(path);
+    const auto text = files::readTextFile(path);
     if (!text) return tell(text.error().message), kBadRequest;
     const Problems problems = check(store, path.string(), *text);
     if (!problems.empty()) return tell(problems.text()), kBadRequest;

@@ -103,6 +103,13 @@ CLI::App* addWall(CLI::App& app, Request& r) {
         ->check(CLI::IsMember({"pilot", "none"}));
     wall->add_option("--level", r.wall.level, "difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
     wall->add_option("--seed", r.wall.seed, "of sea and gusts (1)");
+    wall->add_option("--start-utc", r.wall.changes.startUtc, "another start, as in 2027-01-15T13:00:00Z");
+    wall->add_option("--wind-kn", r.wall.changes.wind_kn, "another wind")->check(between(0.0, 100.0));
+    wall->add_option("--visibility-m", r.wall.changes.visibility_m, "another visibility")
+        ->check(between(10.0, 100'000.0));
+    wall->add_option("--rain", r.wall.changes.rain, "other rain, 0 to 1")->check(between(0.0, 1.0));
+    wall->add_option("--at-s", r.wall.at_s, "open after the pilot has sailed so long (0)")
+        ->check(between(0.0, 86'400.0));
     wall->add_flag("--offscreen", r.wall.offscreen, "channels without windows");
     wall->add_option("--size", r.wallSize_px, "of every channel, in pixels: 640x360")
         ->delimiter('x')
@@ -123,6 +130,10 @@ CLI::App* addWall(CLI::App& app, Request& r) {
     wall->add_option("--port", r.wall.port, "to listen on (any)");
     wall->add_option("--kill-every-s", r.wall.killEvery_s, "for trials: kill a channel so often")
         ->check(CLI::Range(0.5, 86400.0));
+    wall->add_option("--order-every-s", r.wall.orderEvery_s,
+                     "for trials: a helm order so often, and how soon it shows")
+        ->check(between(0.1, 86'400.0))
+        ->excludes("--fast");
     return wall;
 }
 

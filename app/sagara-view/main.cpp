@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
+#include "app/files/AssetSource.h"
 #include "app/view/Bench.h"
 #include "app/view/Channel.h"
 #include "app/view/Shots.h"
@@ -48,10 +49,10 @@ int main(int argc, char** argv) {
     app.add_option("--size", r.size, "of pictures, as in 1280x720 (the default)")->check(isSize);
     app.add_option("--scenario", r.scenario.scenario, "id or file of the exercise to show");
     app.add_option("--level", r.scenario.level, "difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
-    app.add_option("--start-utc", r.scenario.startUtc, "another start, as in 2027-01-15T13:00:00Z");
-    app.add_option("--wind-kn", r.scenario.wind_kn, "another wind");
-    app.add_option("--visibility-m", r.scenario.visibility_m, "another visibility");
-    app.add_option("--rain", r.scenario.rain, "other rain, 0 to 1");
+    app.add_option("--start-utc", r.scenario.changes.startUtc, "another start, as in 2027-01-15T13:00:00Z");
+    app.add_option("--wind-kn", r.scenario.changes.wind_kn, "another wind");
+    app.add_option("--visibility-m", r.scenario.changes.visibility_m, "another visibility");
+    app.add_option("--rain", r.scenario.changes.rain, "other rain, 0 to 1");
     app.add_option("--at-s", r.shots.at_s, "second of the exercise, the pilot sailing")
         ->check(CLI::Range(0.0, 86400.0));
     app.add_option("--windowed", r.windowed, "a window of this size, as in 1280x720")->check(isSize);
@@ -79,7 +80,7 @@ int main(int argc, char** argv) {
         return app.exit(e) == 0 ? 0 : 2;
     }
     parseSize(r.size, r.shots.width, r.shots.height);
-    r.scenario.assets = r.stage.assets = view::assetFolder();
+    r.scenario.assets = r.stage.assets = files::assetFolder();
     r.stage.preset = *render::presetOf(r.preset);
     r.stage.headless = r.offscreen || !render::displayIsSet();
     r.bench.window = !r.offscreen && (!r.windowed.empty() || r.bench.fullScreen);

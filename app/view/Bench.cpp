@@ -129,8 +129,8 @@ int bench(const ScenarioRequest& given, const render::StageOptions& stageOptions
     if (scene == nullptr) return tell("no bench scene '" + o.scene + "'"), 2;
     ScenarioRequest request = given;
     if (request.scenario.empty()) request.scenario = "basic-navigation";
-    if (!request.startUtc) request.startUtc = scene->startUtc;
-    if (!request.wind_kn) request.wind_kn = scene->wind_kn;
+    if (!request.changes.startUtc) request.changes.startUtc = scene->startUtc;
+    if (!request.changes.wind_kn) request.changes.wind_kn = scene->wind_kn;
     const auto world = worldOf(request);
     if (!world) return tell(world.error()), 2;
     const render::Moment start =

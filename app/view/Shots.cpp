@@ -1,9 +1,10 @@
 #include "app/view/Shots.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <numbers>
+
+#include "app/view/AreaViews.h"
+#include "core/exercise/Session.h"
 
 namespace sagara::view {
 namespace {
@@ -11,10 +12,7 @@ namespace {
 using render::Camera;
 using render::Lens;
 
-struct Shot {
-    std::string name;
-    Camera camera;
-};
+using Shot = AreaView;
 
 std::vector<Shot> shotsOf(const core::World& world, const render::Moment& m, const ShotOptions& o) {
     const double fov = std::numbers::pi / 3.0;
@@ -41,23 +39,7 @@ std::vector<Shot> shotsOf(const core::World& world, const render::Moment& m, con
         shots.push_back({"target-" + layout.id, render::shoreCamera(from, 0.25 * layout.length_m + 3.0,
                                                                     target.position, 2.0, lens)});
     }
-    for (const core::Mark& mark : world.area.marks) {
-        if (mark.kind != core::MarkKind::Lighthouse || !mark.light) continue;
-        shots.push_back({"light-" + mark.id,
-                         render::shoreCamera(mark.position + core::NorthEast{-600.0, 500.0}, 10.0,
-                                             mark.position, mark.light->height_m, lens.magnified(7.0))});
-    }
-    const core::NorthEast entrance = world.area.frame.toLocal({6.03292, 80.22744});
-    const core::NorthEast anchorage = world.area.frame.toLocal({6.007185, 80.227506});
-    shots.push_back({"entrance", render::shoreCamera(world.area.frame.toLocal({6.0320, 80.2225}), 10.0,
-                                                     entrance, 6.0, lens)});
-    shots.push_back(
-        {"anchorage",
-         render::shoreCamera(anchorage, 10.0, world.area.frame.toLocal({6.025, 80.2235}), 10.0, lens)});
-    shots.push_back({"fort", render::shoreCamera(world.area.frame.toLocal({6.0215, 80.2235}), 10.0,
-                                                 world.area.frame.toLocal({6.0262, 80.2180}), 12.0, lens)});
-    shots.push_back({"bird", render::shoreCamera(world.area.frame.toLocal({6.0190, 80.2255}), 400.0, entrance,
-                                                 0.0, lens)});
+    for (AreaView& view : viewsOf(world.area, lens)) shots.push_back(std::move(view));
     return shots;
 }
 
@@ -72,7 +54,9 @@ int takeShots(const ScenarioRequest& request, const render::StageOptions& stageO
     if (!stage) return tell(stage.error()), 3;
     if (auto trouble = (*stage)->show(*world)) return tell(*trouble), 3;
     const auto view = (*stage)->addViewport(options.width, options.height);
-    const render::Moment moment = render::momentOf(*sailed(*world, request.level, options.at_s));
+    const core::SimTime until{static_cast<std::int64_t>(1e6 * options.at_s)};
+    const render::Moment moment =
+        render::momentOf(core::view(**world, core::sailedByPilot(*world, request.level, until)));
     std::filesystem::create_directories(options.folder);
     for (const Shot& shot : shotsOf(**world, moment, options)) {
         if (!options.only.empty() && shot.name.find(options.only) != 0) continue;

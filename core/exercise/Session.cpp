@@ -29,4 +29,11 @@ std::vector<Event> Session::step() {
     return events;
 }
 
+State sailedByPilot(std::shared_ptr<const World> world, int level, SimTime until) {
+    State start = startState(*world, level);
+    Session session(std::move(world), std::move(start), {{0, 0, PilotOrder{true}}}, nullptr);
+    while (!session.over() && session.state().time() < until) (void)session.step();
+    return session.state();
+}
+
 }  // namespace sagara::core

@@ -37,4 +37,7 @@ private:
     RecordingWriter* m_recorder;
 };
 
+/// The exercise after the scripted pilot has sailed it so long from its start, or to its end.
+State sailedByPilot(std::shared_ptr<const World> world, int level, SimTime until);
+
 }  // namespace sagara::core

@@ -53,7 +53,6 @@ void FrameBarrier::ready(std::size_t index, std::int64_t now_us) {
 
 FrameBarrier::Begun FrameBarrier::begin(std::int64_t now_us) {
     assert(mayBegin());
-    settleShows();
     Begun begun{++m_frame, {}};
     for (std::size_t i = 0; i < m_channels.size(); ++i) {
         Channel& channel = m_channels[i];
@@ -110,11 +109,13 @@ void FrameBarrier::showIfComplete() {
         if (channel.member && !channel.answered) return;
     }
     m_underWay = false;
-    m_showsOpen = false;
+    settleShows();  // who has not told of the frame before by now is not waited for
+    m_shownFrame = m_frame;
     for (std::size_t i = 0; i < m_channels.size(); ++i) {
         Channel& channel = m_channels[i];
         channel.shownAt_us = 0;
-        if (channel.member) {
+        channel.shows = channel.member;
+        if (channel.shows) {
             m_showsOpen = true;
             ++channel.status.framesShown;
             channel.status.frame = m_frame;
@@ -133,11 +134,11 @@ void FrameBarrier::showIfComplete() {
 
 void FrameBarrier::shown(std::size_t index, std::uint64_t frame, std::int64_t at_us) {
     Channel& channel = m_channels[index];
-    if (!m_showsOpen || !channel.member || frame != m_frame || channel.shownAt_us != 0) return;
+    if (!m_showsOpen || !channel.shows || frame != m_shownFrame || channel.shownAt_us != 0) return;
     channel.shownAt_us = at_us;
     channel.status.shownAt_us = at_us;
     const bool all = std::all_of(m_channels.begin(), m_channels.end(),
-                                 [](const Channel& c) { return !c.member || c.shownAt_us != 0; });
+                                 [](const Channel& c) { return !c.shows || c.shownAt_us != 0; });
     if (all) settleShows();
 }
 
@@ -146,15 +147,15 @@ void FrameBarrier::settleShows() {
     m_showsOpen = false;
     std::int64_t first_us = kNever_us, last_us = 0;
     for (const Channel& channel : m_channels) {
-        if (!channel.member || channel.shownAt_us == 0) continue;
+        if (!channel.shows || channel.shownAt_us == 0) continue;
         first_us = std::min(first_us, channel.shownAt_us);
         last_us = std::max(last_us, channel.shownAt_us);
     }
     for (Channel& channel : m_channels) {
-        if (channel.member && channel.shownAt_us != 0) channel.status.skew_us = channel.shownAt_us - first_us;
+        if (channel.shows && channel.shownAt_us != 0) channel.status.skew_us = channel.shownAt_us - first_us;
     }
     const std::int64_t spread_us = first_us == kNever_us ? 0 : last_us - first_us;
-    m_events.push_back({BarrierEvent::Kind::FrameOver, 0, m_frame, spread_us, {}});
+    m_events.push_back({BarrierEvent::Kind::FrameOver, 0, m_shownFrame, spread_us, {}});
 }
 
 void FrameBarrier::fallOut(std::size_t index, ChannelState to, const std::string& reason,

@@ -96,6 +96,7 @@ private:
         ChannelStatus status;
         bool everInStep = false;  ///< frames it is missing from count from now on
         bool member = false;      ///< of the frame under way, or of the last
+        bool shows = false;       ///< the last frame that was complete
         bool answered = false;    ///< a member has drawn it
         std::uint64_t asked = 0;  ///< frame it was last sent; 0: none is open
         std::int64_t askedAt_us = 0;
@@ -114,7 +115,8 @@ private:
     BarrierRules m_rules;
     std::vector<Channel> m_channels;
     std::vector<BarrierEvent> m_events;
-    std::uint64_t m_frame = 0;
+    std::uint64_t m_frame = 0;       ///< last begun
+    std::uint64_t m_shownFrame = 0;  ///< last complete: its shows are told of while the next is drawn
     bool m_underWay = false;
     bool m_showsOpen = false;
 };

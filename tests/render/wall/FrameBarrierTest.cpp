@@ -149,8 +149,22 @@ TEST_F(Barrier, KilledBetweenDrawingAndShowing) {
     m_barrier.gone(0, "killed");
     EXPECT_EQ(events(), "show a 2\nshow b 2\nshow c 2\nlost a: killed\n");
     EXPECT_EQ(m_barrier.begin(m_now_us).recipients.size(), 2u);
-    m_barrier.shown(0, 2, 100);
-    EXPECT_EQ(events(), "over 2 spread 0\n") << "the frame is over though one never told of it";
+    m_barrier.shown(1, 2, 100);
+    draw({1, 2});
+    EXPECT_EQ(events(), "over 2 spread 0\nshow b 3\nshow c 3\n") << "over though one never told of it";
+}
+
+TEST_F(Barrier, ShowsAreCountedWhileTheNextFrameIsDrawn) {
+    allInStep();
+    (void)m_barrier.begin(m_now_us);
+    draw({0, 1, 2});
+    (void)events();
+    (void)m_barrier.begin(m_now_us);  // at once, as on a machine that is never idle
+    m_barrier.shown(0, 2, 5000);
+    m_barrier.shown(2, 2, 5900);
+    m_barrier.shown(1, 2, 5200);
+    EXPECT_EQ(events(), "over 2 spread 900\n");
+    EXPECT_EQ(m_barrier.status(2).skew_us, 900);
 }
 
 TEST_F(Barrier, ASlowChannelWithinTheDeadlineStaysInStep) {

@@ -8,7 +8,7 @@
 #include "core/base/Archive.h"
 #include "core/base/Result.h"
 
-namespace sagara::run {
+namespace sagara::files {
 
 /// A file that could not be read or written: a message for a person, which names it.
 struct FileError {
@@ -21,4 +21,4 @@ core::Result<core::Bytes, FileError> readBinaryFile(const std::filesystem::path&
 /// and stays what it is.
 std::optional<FileError> writeTextFile(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace sagara::run
+}  // namespace sagara::files

@@ -1,11 +1,11 @@
-#include "app/run/AssetSource.h"
+#include "app/files/AssetSource.h"
 
 #include <algorithm>
 
-#include "app/run/Files.h"
+#include "app/files/Files.h"
 #include "core/base/Config.h"
 
-namespace sagara::run {
+namespace sagara::files {
 namespace fs = std::filesystem;
 
 fs::path assetFolder() {
@@ -48,4 +48,4 @@ std::vector<std::string> AssetSource::ids(core::DocumentKind kind) const {
     return ids;
 }
 
-}  // namespace sagara::run
+}  // namespace sagara::files

@@ -1,10 +1,10 @@
-#include "app/run/Files.h"
+#include "app/files/Files.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 
-namespace sagara::run {
+namespace sagara::files {
 namespace fs = std::filesystem;
 namespace {
 
@@ -54,4 +54,4 @@ std::optional<FileError> writeTextFile(const fs::path& path, std::string_view te
     return error;
 }
 
-}  // namespace sagara::run
+}  // namespace sagara::files

@@ -5,7 +5,7 @@
 
 #include "core/exercise/Documents.h"
 
-namespace sagara::run {
+namespace sagara::files {
 
 /// The folder assets/ of this installation: beside the program where it is installed, else in the source tree
 /// it was built from.
@@ -24,4 +24,4 @@ private:
     std::filesystem::path m_folder;
 };
 
-}  // namespace sagara::run
+}  // namespace sagara::files
