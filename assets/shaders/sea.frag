@@ -72,9 +72,9 @@ void main() {
 #ifdef FOAM
     float low = -breaking * v_water.x * v_water.x;
     float amount = smoothstep(u_foam.x, u_foam.x + u_foam.y, low);
-    // Torn by the shorter waves: the more there is, the fewer holes.
-    float torn = 0.6 + 1.5 * (b.r + b.g + 0.8 * (c.r + c.g) - 1.8);
-    float foam = amount * smoothstep(1.0 - amount, 1.5 - amount, torn);
+    // Torn by the shorter waves: streaks and holes behind the crest, whole only where it breaks hardest.
+    float torn = 0.5 + 1.3 * (c.r + c.g + c.b - 1.5) + 0.9 * (b.r + b.g - 1.0);
+    float foam = amount * smoothstep(0.68 - 0.5 * amount, 1.2 - 0.6 * amount, torn);
     colour = mix(colour, (u_sky.rgb * 1.25 + u_sunColour.rgb * (0.2 + 0.5 * max(u_sun.y, 0.0))) * 0.85, foam * 0.85);
 #endif
     o_colour = vec4(colour * v_air.a + v_air.rgb, 1.0);

@@ -113,7 +113,7 @@ void SeaPart::advance(const Frame& frame) {
                            vector4(1.0 - std::exp(-1500.0 * light.extinction_perM), daylight, 0.0, 0.0));
     const double rms = m_tiles.accelerationRms_mps2();
     const double crest = breakingAcceleration(frame.moment.weather.wind.speed_mps);
-    m_material.setFragment("u_foam", vector4(rms * crest - 0.15 * rms, 0.35 * rms + 1e-3, 0.0, 0.0));
+    m_material.setFragment("u_foam", vector4(rms * crest - 0.35 * rms, 0.9 * rms + 1e-3, 0.0, 0.0));
 }
 
 void SeaPart::look(const Frame&, const View& view) {
