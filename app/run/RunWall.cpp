@@ -40,6 +40,7 @@ std::optional<wall::Layout> findLayout(const WallRunOptions& options) {
     if (!loaded) return tell(loaded.error().text()), std::nullopt;
     wall::Layout layout = std::move(loaded).value();
     if (options.size_px) layout = wall::resized(layout, options.size_px->first, options.size_px->second);
+    if (options.fullScreen) layout = wall::fullScreen(layout);
     if (options.offscreen) layout = wall::offscreen(layout);
     return layout;
 }

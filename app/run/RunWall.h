@@ -22,6 +22,7 @@ struct WallRunOptions {
     files::ScenarioChanges changes;
     double at_s = 0.0;  ///< the wall opens after the pilot has sailed so long
     bool offscreen = false;
+    bool fullScreen = false;  ///< each channel over a screen of its own
     std::optional<std::pair<std::uint32_t, std::uint32_t>> size_px;  ///< of every channel
     double rate_Hz = 60.0;                                           ///< at most
     bool fast = false;         ///< every frame 1/rate_Hz after the one before, as fast as the channels draw

@@ -110,7 +110,8 @@ CLI::App* addWall(CLI::App& app, Request& r) {
     wall->add_option("--rain", r.wall.changes.rain, "other rain, 0 to 1")->check(between(0.0, 1.0));
     wall->add_option("--at-s", r.wall.at_s, "open after the pilot has sailed so long (0)")
         ->check(between(0.0, 86'400.0));
-    wall->add_flag("--offscreen", r.wall.offscreen, "channels without windows");
+    wall->add_flag("--fullscreen", r.wall.fullScreen, "each channel over a screen of its own, left to right");
+    wall->add_flag("--offscreen", r.wall.offscreen, "channels without windows")->excludes("--fullscreen");
     wall->add_option("--size", r.wallSize_px, "of every channel, in pixels: 640x360")
         ->delimiter('x')
         ->expected(2)

@@ -57,6 +57,8 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(0.0, 86400.0));
     app.add_option("--windowed", r.windowed, "a window of this size, as in 1280x720")->check(isSize);
     app.add_flag("--fullscreen", r.bench.fullScreen, "the whole screen");
+    auto* screen = app.add_option("--screen", r.bench.screen, "monitor, from 0 left to right (the layout's)")
+                       ->check(CLI::Range(0, int{link::kMostScreens} - 1));
     auto* bench =
         app.add_option("--bench", r.bench.scene, "draw this scene as fast as it goes and print figures")
             ->check(CLI::IsMember(view::benchScenes()));
@@ -89,6 +91,7 @@ int main(int argc, char** argv) {
     if (*connect) {
         if (const char* token = std::getenv(wall::kTokenVariable)) r.channel.station.who.token = token;
         r.channel.fullScreen = r.bench.fullScreen;
+        if (*screen) r.channel.screen = r.bench.screen;
         if (!r.windowed.empty()) r.channel.width = r.bench.width, r.channel.height = r.bench.height;
         return view::runChannel(r.stage, r.channel);
     }

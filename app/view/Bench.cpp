@@ -148,7 +148,7 @@ int bench(const ScenarioRequest& given, const render::StageOptions& stageOptions
             continue;
         }
         auto window = stage.addWindow(
-            {"Sagara " + std::to_string(i + 1), o.width, o.height, o.fullScreen, !o.dump.empty()});
+            {"Sagara " + std::to_string(i + 1), o.width, o.height, o.fullScreen, o.screen, !o.dump.empty()});
         if (!window) return tell(window.error()), 3;
         views.push_back(std::move(window).value());
     }

@@ -16,6 +16,7 @@ struct BenchOptions {
     int channels = 1;  ///< side by side, 60 deg apart, drawn one after the other
     bool window = false;
     bool fullScreen = false;
+    int screen = 0;              ///< monitor the window opens on
     std::filesystem::path dump;  ///< folder for every frame as PNG; empty: none
 };
 

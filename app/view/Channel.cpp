@@ -13,9 +13,20 @@ namespace {
 
 void tell(const std::string& text) { std::fprintf(stderr, "sagara-view: %s\n", text.c_str()); }
 
-render::Camera cameraOf(const link::ChannelView& view, const core::World& world,
-                        const render::Moment& moment) {
-    const link::Frustum& f = view.frustum;
+/// In a window of other proportions than the layout's the width stays and pixels stay square.
+link::Frustum fitted(const link::ChannelView& view, render::Viewport::Size size) {
+    link::Frustum f = view.frustum;
+    if (size.width <= 0 || size.height <= 0) return f;
+    const double scale =
+        static_cast<double>(view.width_px) * size.height / (static_cast<double>(view.height_px) * size.width);
+    f.down *= scale;
+    f.up *= scale;
+    return f;
+}
+
+render::Camera cameraOf(const link::ChannelView& view, const core::World& world, const render::Moment& moment,
+                        render::Viewport::Size size) {
+    const link::Frustum f = fitted(view, size);
     const std::size_t ship = std::min<std::size_t>(view.ship, moment.ships.size() - 1);
     render::Camera camera =
         bridgeCamera(world, moment, ship, view.yaw_rad, {-f.left, f.right, -f.down, f.up});
@@ -52,7 +63,7 @@ public:
         render::Moment moment = render::momentOf(frame.snapshot);
         moment.time = frame.time;
         if (moment.ships.empty()) return;
-        m_viewport->setCamera(cameraOf(m_view, *m_world, moment));
+        m_viewport->setCamera(cameraOf(m_view, *m_world, moment, m_viewport->size()));
         if (const auto trouble = m_stage->draw(moment)) tell(*trouble);
     }
     void show() override { m_stage->present(); }
@@ -87,8 +98,9 @@ private:
         const bool fullScreen = m_request.fullScreen || m_view.output == link::Output::Fullscreen;
         // Beside each other, as their pictures are.
         const double across_rad = std::atan(m_view.frustum.left) + std::atan(m_view.frustum.right);
-        auto window = m_stage->addWindow(
-            {"Sagara " + m_view.name, width(), height(), fullScreen, true, m_view.yaw_rad / across_rad});
+        const int screen = m_request.screen.value_or(static_cast<int>(m_view.screen));
+        auto window = m_stage->addWindow({"Sagara " + m_view.name, width(), height(), fullScreen, screen,
+                                          true, m_view.yaw_rad / across_rad});
         if (!window) return window.error();
         m_viewport = std::move(window).value();
         return std::nullopt;

@@ -10,7 +10,8 @@ namespace sagara::view {
 struct ChannelRequest {
     wall::ChannelOptions station;
     bool fullScreen = false;
-    int width = 0;  ///< of the window; 0: as the layout says
+    std::optional<int> screen;  ///< instead of the layout's
+    int width = 0;              ///< of the window; 0: as the layout says
     int height = 0;
 };
 

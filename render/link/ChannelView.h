@@ -36,9 +36,11 @@ struct ChannelView {
     std::uint32_t width_px = 1280;
     std::uint32_t height_px = 720;
     Output output = Output::Window;
+    std::uint32_t screen = 0;  ///< monitor of its PC the window opens on: 0 is the leftmost
     friend bool operator==(const ChannelView&, const ChannelView&) = default;
 };
 
 inline constexpr std::uint32_t kMostPixelsAcross = 4096;
+inline constexpr std::uint32_t kMostScreens = 16;
 
 }  // namespace sagara::link

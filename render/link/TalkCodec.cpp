@@ -95,6 +95,7 @@ Kind write(const Welcome& m, wire::Welcome& w) {
     v.set_width_px(m.view.width_px);
     v.set_height_px(m.view.height_px);
     v.set_output(static_cast<std::uint32_t>(m.view.output));
+    v.set_screen(m.view.screen);
     return Kind::Welcome;
 }
 Welcome read(const wire::Welcome& w, Check& check) {
@@ -115,6 +116,7 @@ Welcome read(const wire::Welcome& w, Check& check) {
     view.width_px = check.whole(v.width_px(), 16, kMostPixelsAcross, "width_px");
     view.height_px = check.whole(v.height_px(), 16, kMostPixelsAcross, "height_px");
     view.output = check.choice(v.output(), Output::Offscreen, "output");
+    view.screen = check.whole(v.screen(), 0, kMostScreens - 1, "screen");
     return {view};
 }
 

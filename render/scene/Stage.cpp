@@ -51,7 +51,7 @@ public:
         m_targets.push_back(std::make_unique<ViewTarget>(*m_host, std::move(state), nullptr, true));
     }
     void add(std::shared_ptr<ViewportState> state, const WindowOptions& o) {
-        auto* window = m_host->openWindow(o.title, o.width, o.height, o.fullScreen, o.aside);
+        auto* window = m_host->openWindow(o);
         m_targets.push_back(std::make_unique<ViewTarget>(*m_host, std::move(state), window, o.readBack));
     }
     void draw(const Moment& moment) {

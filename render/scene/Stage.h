@@ -34,6 +34,11 @@ public:
     virtual void setCamera(const Camera& camera) = 0;
     /// The last picture finished, or null. Windows have none unless asked for.
     virtual std::shared_ptr<const Picture> latest() const = 0;
+    struct Size {
+        int width = 0;
+        int height = 0;
+    };
+    virtual Size size() const = 0;  ///< of the last picture; of a window, as people have made it
     virtual DrawFigures figures() const = 0;
     virtual bool closed() const = 0;  ///< a person has closed the window
 };
@@ -42,9 +47,10 @@ struct WindowOptions {
     std::string title = "Sagara";
     int width = 1280;
     int height = 720;
-    bool fullScreen = false;
-    bool readBack = false;  ///< keep each picture in `latest` as well
-    double aside = 0.0;     ///< to the right of the middle of the screen, in widths of it
+    bool fullScreen = false;  ///< over the whole of its screen
+    int screen = 0;           ///< monitor it opens on: 0 is the leftmost
+    bool readBack = false;    ///< keep each picture in `latest` as well
+    double aside = 0.0;       ///< to the right of the middle of the screen, in widths of it
 };
 
 /// The one OGRE scene of a process on its own render thread. Any number of viewports show it. Use a second

@@ -82,6 +82,7 @@ LayoutChannel readChannel(Node node) {
                                                            {"fullscreen", link::Output::Fullscreen},
                                                            {"offscreen", link::Output::Offscreen}})
                       : link::Output::Window;
+    view.screen = static_cast<std::uint32_t>(in.integerOr("screen", 0, 0, int{link::kMostScreens} - 1));
     in.rejectUnknownKeys();
     return channel;
 }
@@ -120,6 +121,15 @@ Layout resized(Layout layout, std::uint32_t width_px, std::uint32_t height_px) {
         f.up *= scale;
         channel.view.width_px = width_px;
         channel.view.height_px = height_px;
+    }
+    return layout;
+}
+
+Layout fullScreen(Layout layout) {
+    std::uint32_t screen = 0;
+    for (LayoutChannel& channel : layout.channels) {
+        channel.view.output = link::Output::Fullscreen;
+        channel.view.screen = channel.local() ? screen++ : 0;
     }
     return layout;
 }

@@ -33,6 +33,9 @@ core::Result<Layout, core::config::Problems> loadLayout(const std::string& name,
 
 /// All pictures of another size; fields of view keep their width, their height follows with square pixels.
 Layout resized(Layout layout, std::uint32_t width_px, std::uint32_t height_px);
+/// Every channel over a whole screen: those of this PC on its screens from left to right, others on the first
+/// of theirs.
+Layout fullScreen(Layout layout);
 /// All channels without a window.
 Layout offscreen(Layout layout);
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "render/scene/Stage.h"
+
 namespace sagara::render {
 
 /// OGRE itself: root, GL3Plus, and the hidden primary window, which must be the first and outlive all others.
@@ -19,9 +21,8 @@ public:
     Host& operator=(const Host&) = delete;
 
     Ogre::Root& root() { return *m_root; }
-    /// `aside`: to the right of the middle of the screen, in widths, as far as the screen goes.
-    Ogre::RenderWindow* openWindow(const std::string& title, int width, int height, bool fullScreen,
-                                   double aside);
+    /// Throws std::runtime_error when there is no such screen.
+    Ogre::RenderWindow* openWindow(const WindowOptions& options);
     void closeWindow(Ogre::RenderWindow* window);
 
 private:

@@ -38,6 +38,10 @@ std::shared_ptr<const Picture> ViewportState::latest() const {
     const std::lock_guard lock(m_mutex);
     return m_latest;
 }
+Viewport::Size ViewportState::size() const {
+    const std::lock_guard lock(m_mutex);
+    return m_size;
+}
 DrawFigures ViewportState::figures() const {
     const std::lock_guard lock(m_mutex);
     return m_figures;
@@ -46,8 +50,9 @@ ViewportState::Wanted ViewportState::wanted() const {
     const std::lock_guard lock(m_mutex);
     return {m_width, m_height, m_camera};
 }
-void ViewportState::finish(std::shared_ptr<const Picture> picture, DrawFigures figures) {
+void ViewportState::finish(std::shared_ptr<const Picture> picture, Size size, DrawFigures figures) {
     const std::lock_guard lock(m_mutex);
+    m_size = size;
     m_latest = std::move(picture);
     m_figures = figures;
 }
@@ -121,7 +126,8 @@ void ViewTarget::draw(Scene& scene) {
     scene.look(wanted.camera, wanted.width, wanted.height);
     m_target->update(false);
     const Ogre::RenderTarget::FrameStats& stats = m_target->getStatistics();
-    m_state->finish(m_readBack ? readBack() : nullptr, {stats.triangleCount, stats.batchCount});
+    m_state->finish(m_readBack ? readBack() : nullptr, {wanted.width, wanted.height},
+                    {stats.triangleCount, stats.batchCount});
 }
 
 std::shared_ptr<const Picture> ViewTarget::readBack() {

@@ -20,6 +20,7 @@ public:
     void resize(int width, int height) override;
     void setCamera(const Camera& camera) override;
     std::shared_ptr<const Picture> latest() const override;
+    Size size() const override;
     DrawFigures figures() const override;
     bool closed() const override { return m_closed; }
 
@@ -29,7 +30,7 @@ public:
         Camera camera;
     };
     Wanted wanted() const;
-    void finish(std::shared_ptr<const Picture> picture, DrawFigures figures);
+    void finish(std::shared_ptr<const Picture> picture, Size size, DrawFigures figures);
     void close() { m_closed = true; }
 
 private:
@@ -38,6 +39,7 @@ private:
     int m_height;
     Camera m_camera;
     std::shared_ptr<const Picture> m_latest;
+    Size m_size;
     DrawFigures m_figures;
     std::atomic<bool> m_closed = false;
 };

@@ -77,7 +77,7 @@ TEST(Layout, OffAxisEdgesAndHorizonAreRead) {
         "w.json",
         wallOf(
             R"({"name": "a", "yaw_deg": 0, "edges_deg": {"left": 45, "right": 0, "down": 26.565051, "up": 0},
-                   "size_px": [800, 400], "host": "pc2", "output": "fullscreen", "ship": 1,
+                   "size_px": [800, 400], "host": "pc2", "output": "fullscreen", "screen": 2, "ship": 1,
                    "eye": {"starboard_m": -4.5}},
                   {"name": "b", "yaw_deg": 10, "fieldOfView_deg": 90, "horizonAt": 0.75, "size_px": [800, 400]})"));
     ASSERT_TRUE(wall) << wall.error().text();
@@ -86,12 +86,24 @@ TEST(Layout, OffAxisEdgesAndHorizonAreRead) {
     EXPECT_EQ(a.frustum.right, 0.0);
     EXPECT_NEAR(a.frustum.down, 0.5, 1e-6);
     EXPECT_EQ(a.output, link::Output::Fullscreen);
+    EXPECT_EQ(a.screen, 2u);
     EXPECT_EQ(a.ship, 1u);
     EXPECT_EQ(a.eye.starboard_m, -4.5);
     EXPECT_FALSE(wall->channels[0].local());
     const link::ChannelView& b = wall->channels[1].view;
     EXPECT_NEAR(b.frustum.down, 0.75, 1e-12);
     EXPECT_NEAR(b.frustum.up, 0.25, 1e-12);
+}
+
+TEST(Layout, FullScreenChannelsOfThisPcTakeItsScreensFromLeftToRight) {
+    Layout desk = shipped("desk-3x60");
+    desk.channels[1].host = "pc2";
+    desk = fullScreen(desk);
+    for (const LayoutChannel& channel : desk.channels)
+        EXPECT_EQ(channel.view.output, link::Output::Fullscreen);
+    EXPECT_EQ(desk.channels[0].view.screen, 0u);
+    EXPECT_EQ(desk.channels[1].view.screen, 0u);
+    EXPECT_EQ(desk.channels[2].view.screen, 1u);
 }
 
 TEST(Layout, EveryProblemIsReportedAtOnceWithItsPath) {
@@ -102,8 +114,8 @@ TEST(Layout, EveryProblemIsReportedAtOnceWithItsPath) {
         "w.json: channels[0].yaw_deg is 200, expected -180 to 180 deg\n"
         "w.json: channels[0].fieldOfView_deg is 170, expected 5 to 150 deg\n"
         "w.json: channels[1].size_px[0] is 8000, expected 64 to 4096 pixels\n"
-        "w.json: channels[1].fov is unknown, expected one of fieldOfView_deg, horizonAt, host, name, ship, "
-        "size_px, yaw_deg\n"
+        "w.json: channels[1].fov is unknown, expected one of fieldOfView_deg, horizonAt, host, name, screen, "
+        "ship, size_px, yaw_deg\n"
         "w.json: channels[1] has the name \"a\" of another, expected a name of its own");
 }
 
