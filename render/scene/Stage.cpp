@@ -106,17 +106,21 @@ Stage::~Stage() = default;
 
 core::Result<std::unique_ptr<Stage>, std::string> Stage::open(const StageOptions& options) {
     constexpr const char* kHelp =
-        "\nA picture needs OpenGL 3.3: the packages libogre-1.12-dev, libgl1-mesa-dri and libegl-mesa0 bring "
-        "it "
-        "to a machine without a graphics card.";
+        "\nA picture needs OpenGL 3.3. With a graphics card, install its driver; without one, Mesa draws in "
+        "software:\n  apt-get install libogre-1.12-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1";
     if (options.headless) {
         if (auto trouble = useHeadlessGl()) return *trouble + kHelp;
     } else if (!displayIsSet()) {
-        return std::string("There is no X display (DISPLAY is not set).");
+        return std::string(
+            "There is no X display (DISPLAY is not set): start it in a desktop, or without a window.");
     }
     auto work = std::make_unique<Work>(options);
-    if (auto trouble = work->attempt([&] { work->open(); }))
+    if (auto trouble = work->attempt([&] { work->open(); })) {
+        const bool noDisplay = trouble->find("X display") != std::string::npos;
+        if (options.headless && noDisplay) return std::string("There is no EGL display to draw on.") + kHelp;
+        if (noDisplay) return *trouble + ": start it in a desktop, or without a window.";
         return "OGRE does not start: " + *trouble + kHelp;
+    }
     return std::unique_ptr<Stage>(new Stage(std::move(work)));
 }
 

@@ -69,7 +69,6 @@ std::vector<ScreenArea> screensOf(Ogre::RenderWindow& window) {
     std::vector<ScreenArea> screens;
     if (x.display == nullptr || !getMonitors || !freeMonitors || !defaultRoot) return screens;
     int count = 0;
-    fprintf(stderr, "DBG %p\n", static_cast<void*>(x.display));
     XRRMonitorInfo* const monitors = getMonitors(x.display, defaultRoot(x.display), True, &count);
     if (monitors == nullptr) return screens;
     for (int i = 0; i < count; ++i)

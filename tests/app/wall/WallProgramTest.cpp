@@ -81,6 +81,29 @@ TEST_F(WallProgram, SteppedFramesAreAsManyAsTheTimeHas) {
     EXPECT_NEAR(std::stoi(found[1]), 50, 3) << m_output;
 }
 
+TEST_F(WallProgram, OrdersAreTimedUntilTheyShow) {
+    ASSERT_EQ(run("--scenario basic-navigation --offscreen --size 128x72 --duration-s 2 --order-every-s 0.3"),
+              0)
+        << m_output;
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(m_output, found, std::regex("([0-9]+) orders, seen on all channels")))
+        << m_output;
+    EXPECT_GE(std::stoi(found[1]), 4) << m_output;
+}
+
+TEST_F(WallProgram, OpensUnderWayAtAnotherHour) {
+    const fs::path shots = m_folder / "shots";
+    ASSERT_EQ(run("--scenario basic-navigation --helm pilot --layout single --offscreen --size 128x72 --fast "
+                  "--rate-hz 10 --at-s 60 --duration-s 0.3 --start-utc 2027-01-15T15:00:00Z --wind-kn 5 "
+                  "--visibility-m 500 --rain 0.5 --shots " +
+                  shots.string()),
+              0)
+        << m_output;
+    EXPECT_TRUE(fs::exists(shots / "wall-0001.png"));
+    EXPECT_EQ(run("--scenario basic-navigation --start-utc yesterday"), 2);
+    EXPECT_NE(m_output.find("startUtc"), std::string::npos) << m_output;
+}
+
 TEST_F(WallProgram, WrongRequestsAreAnswered) {
     EXPECT_EQ(run("--scenario basic-navigation --layout nowhere"), 2);
     EXPECT_NE(m_output.find("nowhere.json"), std::string::npos) << m_output;
