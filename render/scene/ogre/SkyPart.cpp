@@ -23,14 +23,17 @@ Ogre::Vector4 towards(Horizontal h, double w = 0.0) {
     return {v.x, v.y, v.z, static_cast<float>(w)};
 }
 
-/// A ball about the eye, coarse because only directions count.
-Ogre::MeshPtr ball(const Ogre::MaterialPtr& material) {
-    constexpr int kRows = 10, kColumns = 16;
+/// A dome about the eye, from a little below the horizon. Colours of the clear sky are worked out at its
+/// points, so these stand closer where they change fast.
+Ogre::MeshPtr dome(const Ogre::MaterialPtr& material) {
+    constexpr int kRows = 20, kColumns = 48;
+    constexpr double kLowest_rad = -0.1;
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
     for (int row = 0; row <= kRows; ++row) {
         for (int column = 0; column <= kColumns; ++column) {
-            const double a = core::kPi * (static_cast<double>(row) / kRows - 0.5);
+            const double up = static_cast<double>(row - 1) / (kRows - 1);
+            const double a = row == 0 ? kLowest_rad : 0.5 * core::kPi * up * up;
             const double b = core::kTwoPi * column / kColumns;
             for (const double v : {std::cos(a) * std::sin(b), std::sin(a), std::cos(a) * std::cos(b)})
                 vertices.push_back(static_cast<float>(100.0 * v));
@@ -54,7 +57,7 @@ SkyPart::SkyPart(const PartContext& context)
     if (context.figures.clouds)
         m_sky.addTexture("u_clouds", byteTexture("clouds", kCloudSize, kCloudSize, cloudNoise(kCloudSize)),
                          true, false);
-    auto* entity = context.scenes.createEntity(ball(m_sky.ogre()));
+    auto* entity = context.scenes.createEntity(dome(m_sky.ogre()));
     entity->setRenderQueueGroup(kSkyQueue);
     context.scenes.getRootSceneNode()->createChildSceneNode()->attachObject(entity);
     const ShaderMaterial moon = context.materials.make("moon", {Blending::Kind::Add, true, false});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <thread>
 
 #include "core/base/Trig.h"
 #include "render/scene/sea/MipChain.h"
@@ -156,10 +157,16 @@ void SeaTiles::advance(const core::SeaState& sea, core::SimTime time) {
         m_systems = sea.systems;
         m_activeCount = sea.active.size();
     }
-    for (std::size_t b = 0; b < m_bands.size(); ++b) {
+    const auto layOut = [&](std::size_t b) {
         m_bands[b]->layOut(time);
         m_bands[b]->fill(m_tiles[b]);
-    }
+    };
+    // The long band is as much work as the others together, and nothing can be drawn before all are there.
+    std::thread others([&] {
+        for (std::size_t b = 1; b < m_bands.size(); ++b) layOut(b);
+    });
+    layOut(0);
+    others.join();
 }
 
 double SeaTiles::elevation_m(core::NorthEast p) const {
