@@ -5,10 +5,10 @@
 #include <QHostAddress>
 #include <QTcpServer>
 #include <QTcpSocket>
-#include <QThread>
 
 #include "render/link/Codec.h"
 #include "render/link/Token.h"
+#include "tests/render/support/Aside.h"
 #include "tests/render/support/Samples.h"
 
 namespace sagara::link {
@@ -30,16 +30,15 @@ protected:
     template <typename Station>
     std::string outcome(const Introduction& who, Station&& station) {
         std::string result;
-        std::unique_ptr<QThread> channel(QThread::create([&, port = m_server.serverPort()] {
+        test::Aside channel([&, port = m_server.serverPort()] {
             auto connection = Connection::to("127.0.0.1", port, kPatience_ms, kBeforeGreeting);
             if (!connection) return void(result = connection.error());
             const auto view = introduce(**connection, who, kPatience_ms);
             result = view ? "view " + view->name : view.error();
-        }));
-        channel->start();
+        });
         auto connection = accept();
         station(*connection);
-        channel->wait();
+        channel.wait();
         return result;
     }
     QTcpServer m_server;
@@ -100,7 +99,7 @@ TEST_F(Handshake, AStationOfAnotherVersionIsNamedToThePerson) {
 TEST_F(Handshake, AnOlderChannelHearsWhatIsSpoken) {
     std::string told;
     std::vector<std::uint32_t> speaks;
-    std::unique_ptr<QThread> channel(QThread::create([&, port = m_server.serverPort()] {
+    test::Aside channel([&, port = m_server.serverPort()] {
         auto connection = Connection::to("127.0.0.1", port, kPatience_ms, {Kind::Refused});
         ASSERT_TRUE(connection);
         core::Bytes packet = encode(Hello{});
@@ -110,12 +109,11 @@ TEST_F(Handshake, AnOlderChannelHearsWhatIsSpoken) {
         ASSERT_TRUE(answer);
         told = std::get<Refused>(answer->message).reason;
         speaks = std::get<Refused>(answer->message).speaks;
-    }));
-    channel->start();
+    });
     auto connection = accept();
     EXPECT_FALSE(connection->wait(kPatience_ms));
     EXPECT_FALSE(connection->isOpen());
-    channel->wait();
+    channel.wait();
     EXPECT_EQ(told, "protocol version 0 is not spoken here, but 1");
     EXPECT_EQ(speaks, std::vector<std::uint32_t>{kProtocolVersion});
 }
@@ -138,7 +136,7 @@ TEST_F(Handshake, MessagesComeInOrderAndWhole) {
     constexpr KindSet all{Kind::Greeting, Kind::Hello, Kind::Refused,  Kind::Welcome, Kind::Setup,
                           Kind::Ready,    Kind::Frame, Kind::Rendered, Kind::Show,    Kind::Shown,
                           Kind::Ping,     Kind::Pong,  Kind::Picture,  Kind::Bye};
-    std::unique_ptr<QThread> channel(QThread::create([&, port = m_server.serverPort()] {
+    test::Aside channel([&, port = m_server.serverPort()] {
         auto connection = Connection::to("127.0.0.1", port, kPatience_ms, all);
         ASSERT_TRUE(connection);
         for (int i = 0; i < int{kLastKind}; ++i) {
@@ -147,14 +145,14 @@ TEST_F(Handshake, MessagesComeInOrderAndWhole) {
             const core::Bytes packet = encode(received->message);
             got.insert(got.end(), packet.begin(), packet.end());
         }
-    }));
-    channel->start();
+    });
     auto connection = accept();
     for (std::size_t at = 0; at < sent.size(); at += 100) {
         connection->sendPacket({sent.begin() + static_cast<std::ptrdiff_t>(at),
                                 sent.begin() + static_cast<std::ptrdiff_t>(std::min(at + 100, sent.size()))});
     }
-    while (!channel->wait(1)) (void)connection->wait(1);
+    while (!channel.finished()) (void)connection->wait(1);
+    channel.wait();
     EXPECT_EQ(got, sent);
 }
 

@@ -1,12 +1,12 @@
 // Either side of a live link against a peer that sends anything.
 #include <QTcpServer>
 #include <QTcpSocket>
-#include <QThread>
 
 #include "RealWall.h"
 #include "render/link/Codec.h"
 #include "render/link/Handshake.h"
 #include "render/wall/ChannelClient.h"
+#include "tests/render/support/Aside.h"
 #include "tests/render/support/FakeRenderer.h"
 #include "tests/render/support/Hostile.h"
 
@@ -18,10 +18,9 @@ constexpr int kPatience_ms = 10'000;
 class HostilePeer : public RealWall {
 protected:
     void runAside(std::function<void()> work) {
-        std::unique_ptr<QThread> thread(QThread::create(std::move(work)));
-        thread->start();
-        runUntil([&] { return thread->isFinished(); }, 60.0, "the hostile peer is through");
-        thread->wait();
+        test::Aside thread(std::move(work));
+        runUntil([&] { return thread.finished(); }, 60.0, "the hostile peer is through");
+        thread.wait();
     }
 };
 
@@ -80,7 +79,7 @@ protected:
         QTcpServer server;
         EXPECT_TRUE(server.listen(QHostAddress::LocalHost));
         int ends = 0;
-        std::unique_ptr<QThread> channel(QThread::create([&ends, times, port = server.serverPort()] {
+        test::Aside channel([&ends, times, port = server.serverPort()] {
             for (int i = 0; i < times; ++i) {
                 test::FakeRenderer renderer(0);
                 ChannelOptions options;
@@ -90,8 +89,7 @@ protected:
                 EXPECT_FALSE(end.reason.empty());
                 ++ends;
             }
-        }));
-        channel->start();
+        });
         test::HostileBytes hostile(seed);
         for (int i = 0; i < times; ++i) {
             EXPECT_TRUE(server.waitForNewConnection(kPatience_ms));
@@ -114,7 +112,7 @@ protected:
             for (int k = 0; k < 8; ++k) c.sendPacket(hostile.next());
             c.close("done");
         }
-        channel->wait();
+        channel.wait();
         return ends;
     }
 };

@@ -1,10 +1,9 @@
 // Real processes over loopback: killed, frozen, slow, cut off and late.
 #include <csignal>
 
-#include <QThread>
-
 #include "RealWall.h"
 #include "render/wall/ChannelClient.h"
+#include "tests/render/support/Aside.h"
 #include "tests/render/support/FakeRenderer.h"
 
 namespace sagara::wall {
@@ -123,12 +122,10 @@ TEST_F(Wall, AnObserverSeesTheWallAndHoldsUpNobody) {
     ChannelOptions options;
     options.port = m_port;
     options.who.role = link::Role::Observer;
-    std::unique_ptr<QThread> observer(
-        QThread::create([&] { (void)runChannel(options, slow, [](const std::string&) {}); }));
-    observer->start();
+    test::Aside observer([&] { (void)runChannel(options, slow, [](const std::string&) {}); });
     runUntil([&] { return statusOf("observer-1").framesShown >= 5; }, 20.0, "it has seen some frames");
     slow.m_closed = true;
-    runUntil([&] { return observer->isFinished(); }, 10.0, "it is closed");
+    runUntil([&] { return observer.finished(); }, 10.0, "it is closed");
     EXPECT_GE(slow.m_shown.size(), 4u);
     EXPECT_LT(statusOf("ahead").took_us, 90'000);
     expectUnbroken("ahead");
