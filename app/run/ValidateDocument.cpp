@@ -42,7 +42,7 @@ Problems checkAgainstScenario(const Store& store, const std::string& name, const
 }
 
 Problems check(const Store& store, const std::string& name, const std::string& text) {
-    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall };
+    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall, Picture };
     core::config::Document document(name, text);
     core::config::Reader in(document.root());
     const auto kind = in.choiceIfKnown<Kind>("document", {{"vessel", Kind::Vessel},
@@ -50,7 +50,8 @@ Problems check(const Store& store, const std::string& name, const std::string& t
                                                           {"scenario", Kind::Scenario},
                                                           {"commands", Kind::Commands},
                                                           {"rubric", Kind::Rubric},
-                                                          {"wall", Kind::Wall}});
+                                                          {"wall", Kind::Wall},
+                                                          {"picture", Kind::Picture}});
     if (!kind) return document.problems();
     switch (*kind) {
         case Kind::Vessel:
@@ -69,6 +70,8 @@ Problems check(const Store& store, const std::string& name, const std::string& t
             });
         case Kind::Wall:
             return problemsOf(wall::loadLayout(name, text));
+        case Kind::Picture:
+            return problemsOf(core::loadPicture(name, text));
     }
     return Problems(name);
 }

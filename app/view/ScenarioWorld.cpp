@@ -28,6 +28,8 @@ fs::path pathOf(const fs::path& assets, core::DocumentKind kind, const std::stri
             return assets / "areas" / id / "area.json";
         case core::DocumentKind::Scenario:
             return assets / "scenarios" / (id + ".json");
+        case core::DocumentKind::Picture:
+            return assets / "pictures" / (id + ".json");
     }
     return {};
 }
