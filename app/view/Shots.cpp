@@ -71,6 +71,7 @@ int takeShots(const ScenarioRequest& request, const render::StageOptions& stageO
     auto stage = render::Stage::open(stageOptions);
     if (!stage) return tell(stage.error()), 3;
     if (auto trouble = (*stage)->show(*world)) return tell(*trouble), 3;
+    for (const std::string& remark : (*stage)->remarks()) tell(remark);
     const auto view = (*stage)->addViewport(options.width, options.height);
     const render::Moment moment = render::momentOf(*sailed(*world, request.level, options.at_s));
     std::filesystem::create_directories(options.folder);
