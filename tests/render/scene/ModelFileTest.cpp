@@ -273,13 +273,18 @@ TEST(Fleet, AShipWithoutItsModelIsDrawnFromHerFormAndThatIsSaid) {
     const Fleet fleet = fleetOf(*world, SAGARA_ASSETS);
     EXPECT_TRUE(fleet.remarks.empty()) << fleet.remarks.front();
     const Fleet bare = fleetOf(*world, "/nowhere");
-    ASSERT_FALSE(bare.remarks.empty());
-    EXPECT_EQ(
-        bare.remarks[0],
-        "coaster is drawn without a model: picture /nowhere/pictures/container-feeder.json cannot be read");
-    EXPECT_EQ(bare.targets[0].shape.hull.triangles(), shapeOf(formOf(world->targets[0]), 0).hull.triangles());
-    EXPECT_FALSE(bare.targets[0].form.lights[0]);
-    EXPECT_TRUE(fleet.targets[0].form.lights[0]);
+    ASSERT_EQ(bare.remarks.size(), 2u);
+    EXPECT_EQ(bare.remarks[0],
+              "yacht-1 is drawn without a model: picture /nowhere/pictures/yacht.json cannot be read");
+    const auto yacht =
+        static_cast<std::size_t>(std::find_if(world->targets.begin(), world->targets.end(),
+                                              [](const core::TargetLayout& t) { return t.id == "yacht-1"; }) -
+                                 world->targets.begin());
+    const Solid plain = shapeOf(formOf(world->targets[yacht]), static_cast<unsigned>(yacht)).hull;
+    EXPECT_EQ(bare.targets[yacht].shape.hull.triangles(), plain.triangles());
+    EXPECT_FALSE(bare.targets[yacht].form.lights[0]);
+    EXPECT_NE(fleet.targets[yacht].shape.hull.triangles(), plain.triangles());
+    EXPECT_TRUE(fleet.targets[yacht].form.lights[0]);
 }
 
 }  // namespace
