@@ -73,6 +73,9 @@ TEST_F(ValidateDocument, AMissingPictureIsNamed) {
               (std::vector<std::string>{"traffic[3].picture names \"dhow\", which is not known, expected the "
                                         "id of picture in assets/pictures"}));
     const std::string picture = sagara::test::readAsset("pictures/ferry.json");
+    EXPECT_EQ(problemsOf(with(picture, "/model", "\"dhow.ac\"")),
+              (std::vector<std::string>{
+                  "model names \"dhow.ac\", which is not there, expected a file in assets/models"}));
     expectOneBegins(problemsOf(with(picture, "/up", "\"y\"")), "up is \"y\", expected one of +x, ");
 }
 
