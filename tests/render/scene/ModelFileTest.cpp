@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "render/scene/Picture.h"
 #include "render/scene/ship/Fleet.h"
@@ -228,6 +229,25 @@ TEST_F(ModelFile, EveryTruncationOfAShippedModelIsAModelOrAnError) {
     for (std::size_t length = 10; length < whole.size(); length += 397, ++tried)
         if (!troubleOf("cut.ac", whole.substr(0, length)).empty()) ++refused;
     EXPECT_GT(refused, tried / 2);
+}
+
+TEST_F(ModelFile, RandomDamageIsAModelOrAnError) {
+    const std::string whole = test::readAsset("models/flightgear/container_carrier.ac");
+    fs::copy_file(SAGARA_ASSETS "/models/flightgear/container.png", folder / "container.png");
+    fs::copy_file(SAGARA_ASSETS "/models/flightgear/saratoga.png", folder / "saratoga.png");
+    std::mt19937 random(20270115);
+    for (int round = 0; round < 150; ++round) {
+        std::string text = whole;
+        for (int i = 0; i < 8; ++i) text[random() % text.size()] = static_cast<char>(random() % 256);
+        (void)troubleOf("damaged.ac", text);
+        // Numbers too large or negative where counts and indices are.
+        text = whole;
+        for (int i = 0; i < 4; ++i) {
+            const std::size_t at = text.find_first_of("0123456789", random() % text.size());
+            if (at != std::string::npos) text.replace(at, 1, i % 2 ? "-7" : "99999");
+        }
+        (void)troubleOf("damaged.ac", text);
+    }
 }
 
 TEST(Names, StarsStandForAnyLetters) {
