@@ -24,6 +24,8 @@ fs::path AssetSource::pathOf(core::DocumentKind kind, const std::string& id) con
             return m_folder / "areas" / id / "area.json";
         case core::DocumentKind::Scenario:
             return m_folder / "scenarios" / (id + ".json");
+        case core::DocumentKind::Picture:
+            return m_folder / "pictures" / (id + ".json");
     }
     return {};
 }

@@ -23,6 +23,8 @@ db::DocumentTable tableOf(core::DocumentKind kind) {
             return db::DocumentTable::Area;
         case core::DocumentKind::Scenario:
             return db::DocumentTable::Scenario;
+        case core::DocumentKind::Picture:
+            break;  // not in the database
     }
     return db::DocumentTable::Vessel;
 }
@@ -78,7 +80,7 @@ void Store::takeInAssets() {
 }
 
 std::optional<std::string> Store::find(core::DocumentKind kind, const std::string& id) const {
-    if (!m_database) return m_assets.find(kind, id);
+    if (!m_database || kind == core::DocumentKind::Picture) return m_assets.find(kind, id);
     auto document = db::DocumentRepository(*m_database, tableOf(kind)).find(id);
     if (!document) return std::nullopt;
     return std::move(document->text);

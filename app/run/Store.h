@@ -27,7 +27,8 @@ public:
     static core::Result<std::unique_ptr<Store>, std::string> open(
         const std::optional<std::filesystem::path>& dataFolder);
 
-    /// Throws DbError, for one when the document is not the one that was stored.
+    /// Pictures come from assets/, where their model files are. Throws DbError, for one when the document is
+    /// not the one that was stored.
     std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override;
 
     const db::DataFolder& folder() const { return m_folder; }

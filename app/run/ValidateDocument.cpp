@@ -19,6 +19,29 @@ Problems problemsOf(const core::Result<T, Problems>& loaded) {
     return loaded ? Problems() : loaded.error();
 }
 
+/// A picture's model must be among the assets; whether it can be read is seen where it is drawn.
+void checkModel(Problems& problems, const char* path, const core::Picture& picture) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(assetFolder() / "models" / picture.model, ignored)) return;
+    problems.add({path, "names \"" + picture.model + "\", which is not there", "a file in assets/models"});
+}
+
+Problems checkVessel(const std::string& name, const std::string& text) {
+    const auto vessel = core::loadVessel(name, text);
+    if (!vessel) return vessel.error();
+    Problems problems(name);
+    if (vessel->picture) checkModel(problems, "picture.model", *vessel->picture);
+    return problems;
+}
+
+Problems checkPicture(const std::string& name, const std::string& text) {
+    const auto picture = core::loadPicture(name, text);
+    if (!picture) return picture.error();
+    Problems problems(name);
+    checkModel(problems, "model", *picture);
+    return problems;
+}
+
 core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const Store& store,
                                                                    core::NamedText scenario) {
     const auto documents = core::collectDocuments(std::move(scenario), store);
@@ -42,7 +65,7 @@ Problems checkAgainstScenario(const Store& store, const std::string& name, const
 }
 
 Problems check(const Store& store, const std::string& name, const std::string& text) {
-    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall };
+    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall, Picture };
     core::config::Document document(name, text);
     core::config::Reader in(document.root());
     const auto kind = in.choiceIfKnown<Kind>("document", {{"vessel", Kind::Vessel},
@@ -50,11 +73,12 @@ Problems check(const Store& store, const std::string& name, const std::string& t
                                                           {"scenario", Kind::Scenario},
                                                           {"commands", Kind::Commands},
                                                           {"rubric", Kind::Rubric},
-                                                          {"wall", Kind::Wall}});
+                                                          {"wall", Kind::Wall},
+                                                          {"picture", Kind::Picture}});
     if (!kind) return document.problems();
     switch (*kind) {
         case Kind::Vessel:
-            return problemsOf(core::loadVessel(name, text));
+            return checkVessel(name, text);
         case Kind::Area:
             return problemsOf(core::loadArea(name, text));
         case Kind::Scenario:
@@ -69,6 +93,8 @@ Problems check(const Store& store, const std::string& name, const std::string& t
             });
         case Kind::Wall:
             return problemsOf(wall::loadLayout(name, text));
+        case Kind::Picture:
+            return checkPicture(name, text);
     }
     return Problems(name);
 }

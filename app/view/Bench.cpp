@@ -141,6 +141,7 @@ int bench(const ScenarioRequest& given, const render::StageOptions& stageOptions
     if (!opened) return tell(opened.error()), 3;
     render::Stage& stage = **opened;
     if (auto trouble = stage.show(*world)) return tell(*trouble), 3;
+    for (const std::string& remark : stage.remarks()) tell(remark);
     std::vector<std::shared_ptr<render::Viewport>> views;
     for (int i = 0; i < o.channels; ++i) {
         if (!o.window) {

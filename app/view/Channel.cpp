@@ -56,7 +56,9 @@ public:
         } else if (!isWindow()) {
             m_viewport->resize(width(), height());
         }
-        return m_stage->show(m_world);
+        auto trouble = m_stage->show(m_world);
+        for (const std::string& remark : m_stage->remarks()) tell(remark);
+        return trouble;
     }
 
     void render(const link::Frame& frame) override {

@@ -53,6 +53,7 @@ int takeShots(const ScenarioRequest& request, const render::StageOptions& stageO
     auto stage = render::Stage::open(stageOptions);
     if (!stage) return tell(stage.error()), 3;
     if (auto trouble = (*stage)->show(*world)) return tell(*trouble), 3;
+    for (const std::string& remark : (*stage)->remarks()) tell(remark);
     const auto view = (*stage)->addViewport(options.width, options.height);
     const core::SimTime until{static_cast<std::int64_t>(1e6 * options.at_s)};
     const render::Moment moment =

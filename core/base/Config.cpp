@@ -49,6 +49,21 @@ void Node::problem(std::string found, std::string expected) const {
     m_problems->add({m_path, std::move(found), std::move(expected)});
 }
 
+std::vector<double> Node::numbers(std::size_t count, Range range) const {
+    std::vector<double> list;
+    if (m_json && m_json->is_array() && m_json->size() == count) {
+        for (const json& item : *m_json) {
+            const double number = item.is_number() ? item.get<double>() : std::nan("");
+            if (number >= range.low && number <= range.high) list.push_back(number);
+        }
+        if (list.size() == count) return list;
+    }
+    if (m_json)
+        problem("is " + quoted(*m_json),
+                "a list of " + std::to_string(count) + " numbers from " + describe(range));
+    return {};
+}
+
 Document::Document(std::string name, std::string_view text) : m_problems(std::move(name)) {
     try {
         m_json = std::make_unique<json>(json::parse(text));

@@ -31,6 +31,8 @@ class Node {
 public:
     const std::string& path() const { return m_path; }
     void problem(std::string found, std::string expected) const;
+    /// The value itself as a list of exactly `count` numbers; empty after a problem.
+    std::vector<double> numbers(std::size_t count, Range range) const;
 
 private:
     friend class Document;

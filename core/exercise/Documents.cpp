@@ -15,6 +15,8 @@ const char* documentKindName(DocumentKind kind) {
             return "area";
         case DocumentKind::Scenario:
             return "scenario";
+        case DocumentKind::Picture:
+            return "picture";
     }
     return "";
 }
@@ -31,7 +33,8 @@ Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario,
         auto text = source.find(kind, id);
         if (!text) {
             in.problem(key, "names \"" + id + "\", which is not known",
-                       "the id of " + std::string(documentKindName(kind)) + " in the database");
+                       "the id of " + std::string(documentKindName(kind)) +
+                           (kind == DocumentKind::Picture ? " in assets/pictures" : " in the database"));
             return std::nullopt;
         }
         return NamedText{id, std::move(*text)};
@@ -43,6 +46,10 @@ Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario,
         config::Reader ship(node);
         auto vessel = take(ship, "vessel", DocumentKind::Vessel);
         if (vessel && taken.insert(vessel->name).second) all.vessels.push_back(std::move(*vessel));
+    }
+    for (const config::Node& node : in.listOr("traffic")) {
+        config::Reader target(node);
+        if (target.has("picture")) take(target, "picture", DocumentKind::Picture);
     }
     if (!document.problems().empty()) return document.problems();
     all.scenario = std::move(scenario);

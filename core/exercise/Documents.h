@@ -12,7 +12,8 @@
 
 namespace sagara::core {
 
-enum class DocumentKind : std::uint8_t { Vessel, Area, Scenario };
+/// Pictures are only looked up: their model files lie in assets/ of every PC that draws, and so do they.
+enum class DocumentKind : std::uint8_t { Vessel, Area, Scenario, Picture };
 const char* documentKindName(DocumentKind kind);
 
 /// A document as text. Its content hash names it in recordings.
@@ -46,7 +47,8 @@ public:
     virtual std::optional<std::string> find(DocumentKind kind, const std::string& id) const = 0;
 };
 
-/// The scenario with the area and the vessels it names. What is not to be found is a problem at its path.
+/// The scenario with the area and the vessels it names; that the pictures it names are there is checked. What
+/// is not to be found is a problem at its path.
 Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario,
                                                              const DocumentSource& source);
 

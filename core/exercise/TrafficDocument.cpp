@@ -31,6 +31,7 @@ TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
     t.draught_m = in.number("draught_m", {0.2, 25.0, "m"});
     t.fromLevel = in.integerOr("fromLevel", 1, 1, kLevels);
     t.onEvent = in.flagOr("onEvent", false);
+    if (in.has("picture")) t.picture = in.id("picture");
     for (const config::Node& item : in.list("route")) {
         config::Reader waypoint(item);
         const NorthEast at = frame.toLocal(waypoint.geoPoint("at"));

@@ -59,6 +59,7 @@ Hull readHull(config::Reader& in) {
     h.waterplaneCoefficient = in.number("waterplaneCoefficient", {0.4, 1.0, ""});
     h.rollGyradius_m = in.number("rollGyradius_m", {0.1, 40.0, "m"});
     h.pitchGyradius_m = in.number("pitchGyradius_m", {0.5, 150.0, "m"});
+    h.stations = readStations(in, h.lengthOverall_m, h.beam_m);
     h.provenance = readProvenance(in);
     if (in.sound()) checkForm(in, h);
     in.rejectUnknownKeys();

@@ -4,6 +4,7 @@
 
 #include "core/base/Planar.h"
 #include "core/vessel/Provenance.h"
+#include "core/vessel/Stations.h"
 
 namespace sagara::core {
 
@@ -19,7 +20,8 @@ struct Hull {
     double metacentricHeight_m = 0.0;  ///< transverse GM
     double waterplaneCoefficient = 0.0;
     double rollGyradius_m = 0.0;
-    double pitchGyradius_m = 0.0;  ///< also used in yaw where a model has no inertia of its own
+    double pitchGyradius_m = 0.0;       ///< also used in yaw where a model has no inertia of its own
+    std::vector<HullStation> stations;  ///< none: the form is worked out from the particulars
     Provenance provenance;
 
     double mass_kg() const { return displacement_m3 * waterDensity_kgpm3; }

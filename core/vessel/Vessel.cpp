@@ -36,6 +36,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.windage = readGroup(in, "windage", readWindage);
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
+    if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);
     in.rejectUnknownKeys();
     return document.finish(std::move(v));
 }

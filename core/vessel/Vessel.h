@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 #include "core/vessel/DeckGear.h"
 #include "core/vessel/Hull.h"
 #include "core/vessel/Machinery.h"
+#include "core/vessel/Picture.h"
 #include "core/vessel/ShipModel.h"
 #include "core/vessel/Windage.h"
 
@@ -30,6 +32,7 @@ struct Vessel {
     Windage windage;
     MooringGear mooring;
     GroundTackle groundTackle;
+    std::optional<Picture> picture;  ///< none: drawn from her form
 };
 
 /// All problems of the document at once. `name` is used in messages: a file name or an id.

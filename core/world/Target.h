@@ -35,6 +35,7 @@ struct TargetLayout {
     int fromLevel = 1;            ///< appears from this difficulty on
     bool onEvent = false;         ///< appears only when an event says so
     std::vector<BodyPoint> outline;
+    std::string picture;  ///< id of a picture document; empty: drawn by her type
 
     double mass_kg() const;
 };

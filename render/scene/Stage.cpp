@@ -47,6 +47,9 @@ public:
         m_scene.reset();
         m_scene = std::make_unique<Scene>(*m_host, std::move(world), m_options.assets, m_options.preset);
     }
+    std::vector<std::string> remarks() const {
+        return m_scene ? m_scene->remarks() : std::vector<std::string>();
+    }
     void add(std::shared_ptr<ViewportState> state) {
         m_targets.push_back(std::make_unique<ViewTarget>(*m_host, std::move(state), nullptr, true));
     }
@@ -126,6 +129,12 @@ core::Result<std::unique_ptr<Stage>, std::string> Stage::open(const StageOptions
 
 std::optional<std::string> Stage::show(std::shared_ptr<const core::World> world) {
     return m_work->attempt([&] { m_work->show(std::move(world)); });
+}
+
+std::vector<std::string> Stage::remarks() const {
+    std::vector<std::string> remarks;
+    (void)m_work->attempt([&] { remarks = m_work->remarks(); });
+    return remarks;
 }
 
 std::shared_ptr<Viewport> Stage::addViewport(int width, int height) {

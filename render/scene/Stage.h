@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/Result.h"
 #include "core/exercise/World.h"
@@ -63,6 +64,8 @@ public:
 
     /// From now on the pictures are of this exercise. Returns why that failed.
     std::optional<std::string> show(std::shared_ptr<const core::World> world);
+    /// What is drawn otherwise than this exercise's documents ask, a line each: models that cannot be read.
+    std::vector<std::string> remarks() const;
     std::shared_ptr<Viewport> addViewport(int width, int height);
     core::Result<std::shared_ptr<Viewport>, std::string> addWindow(const WindowOptions& options);
 

@@ -23,7 +23,7 @@ struct ShipLight {
 
 enum class ShipActivity { UnderWay, Anchored, Moored };
 
-/// Lights she shows. Yachts are taken to be sailing.
+/// Lights she shows. Yachts are taken to be sailing, unless a masthead light is placed.
 std::vector<ShipLight> lightsOf(const ShipForm& form, ShipActivity activity);
 
 }  // namespace sagara::render

@@ -66,7 +66,9 @@ void uploadChain(const Ogre::TexturePtr& texture, const MipChain<T>& chain, Ogre
 
 }  // namespace
 
-Ogre::MeshPtr meshOf(const std::string& name, const Solid& solid, const Ogre::MaterialPtr& material) {
+namespace {
+
+Ogre::MeshPtr solidMesh(const std::string& name, const Solid& solid, const Ogre::MaterialPtr& material) {
     auto mesh = Ogre::MeshManager::getSingleton().createManual(name, kGroup);
     std::vector<PackedVertex> packed;
     packed.reserve(solid.vertices.size());
@@ -85,6 +87,26 @@ Ogre::MeshPtr meshOf(const std::string& name, const Solid& solid, const Ogre::Ma
     bindVertices(sub, sizeof(PackedVertex), packed.size(), packed.data());
     mesh->_setBounds(bounds);
     mesh->_setBoundingSphereRadius(bounds.getHalfSize().length() + bounds.getCenter().length());
+    return mesh;
+}
+
+}  // namespace
+
+Ogre::MeshPtr meshOf(const std::string& name, const Solid& solid, const Ogre::MaterialPtr& material) {
+    auto mesh = solidMesh(name, solid, material);
+    mesh->load();
+    return mesh;
+}
+
+Ogre::MeshPtr meshOf(const std::string& name, const TexturedSolid& textured,
+                     const Ogre::MaterialPtr& material) {
+    auto mesh = solidMesh(name, textured.solid, material);
+    auto* data = mesh->getSubMesh(0)->vertexData;
+    data->vertexDeclaration->addElement(1, 0, Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
+    auto buffer = Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
+        sizeof(textured.places[0]), textured.places.size(), kStatic);
+    buffer->writeData(0, sizeof(textured.places[0]) * textured.places.size(), textured.places.data());
+    data->vertexBufferBinding->setBinding(1, buffer);
     mesh->load();
     return mesh;
 }
@@ -124,6 +146,17 @@ Ogre::TexturePtr byteTexture(const std::string& name, int width, int height,
                              Ogre::PF_A8B8G8R8, const_cast<std::uint32_t*>(pixels.data()));
     texture->getBuffer()->blitFromMemory(box);
     return texture;
+}
+Ogre::TexturePtr texture(const std::string& name, const TextureImage& image) {
+    const auto width = static_cast<unsigned>(image.width), height = static_cast<unsigned>(image.height);
+    auto made = Ogre::TextureManager::getSingleton().createManual(
+        name, kGroup, Ogre::TEX_TYPE_2D, width, height, Ogre::MIP_UNLIMITED, Ogre::PF_A8B8G8R8,
+        Ogre::TU_STATIC_WRITE_ONLY | Ogre::TU_AUTOMIPMAP);
+    // OGRE's PixelBox is not const-correct; it is only read here.
+    const Ogre::PixelBox box(width, height, 1, Ogre::PF_A8B8G8R8,
+                             const_cast<std::uint32_t*>(image.abgr.data()));
+    made->getBuffer()->blitFromMemory(box);
+    return made;
 }
 void upload(const Ogre::TexturePtr& texture, const MipChain<float>& chain) {
     uploadChain(texture, chain, Ogre::PF_FLOAT32_R);

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "render/scene/sea/SeaTiles.h"
-#include "render/scene/shape/Solid.h"
+#include "render/scene/shape/TexturedSolid.h"
 
 /// From plain values to what OGRE draws.
 namespace sagara::render {
 
 Ogre::MeshPtr meshOf(const std::string& name, const Solid& solid, const Ogre::MaterialPtr& material);
+Ogre::MeshPtr meshOf(const std::string& name, const TexturedSolid& textured,
+                     const Ogre::MaterialPtr& material);
 
 /// A mesh of vertices that hold `floats` floats each, laid out as three of position and then texture
 /// coordinates in pairs.
@@ -27,6 +29,8 @@ Ogre::TexturePtr byteTexture(const std::string& name, const MipChain<std::uint32
 /// Red in the lowest byte.
 Ogre::TexturePtr byteTexture(const std::string& name, int width, int height,
                              const std::vector<std::uint32_t>& pixels);
+/// With mipmaps.
+Ogre::TexturePtr texture(const std::string& name, const TextureImage& image);
 void upload(const Ogre::TexturePtr& texture, const MipChain<float>& chain);
 void upload(const Ogre::TexturePtr& texture, const MipChain<std::uint32_t>& chain);
 

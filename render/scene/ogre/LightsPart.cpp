@@ -38,8 +38,8 @@ LightsPart::LightsPart(const PartContext& context, const ShaderMaterial& solid, 
         }
         m_marks.push_back(std::move(m));
     }
-    for (const auto& ship : context.world.ships) m_own.push_back(formOf(ship->vessel));
-    for (const auto& target : context.world.targets) m_targets.push_back(formOf(target));
+    for (const ShipLook& ship : context.fleet.own) m_own.push_back(ship.form);
+    for (const ShipLook& target : context.fleet.targets) m_targets.push_back(target.form);
 }
 
 void LightsPart::advance(const Frame& frame) {

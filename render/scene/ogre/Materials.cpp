@@ -114,6 +114,14 @@ ShaderMaterial Materials::make(const std::string& name, Blending blending) {
     return m_all.back();
 }
 
+ShaderMaterial Materials::withTexture(const ShaderMaterial& material, const std::string& name,
+                                      const std::string& uniform, const Ogre::TexturePtr& texture) {
+    ShaderMaterial copy(material.ogre()->clone(name, true, kGroup));
+    copy.addTexture(uniform, texture, true, true);
+    m_all.push_back(copy);
+    return copy;
+}
+
 void Materials::setForAll(const std::string& uniform, const Ogre::Vector4& value) const {
     for (const ShaderMaterial& material : m_all) material.set(uniform, value);
 }

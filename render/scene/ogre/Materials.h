@@ -40,6 +40,9 @@ public:
     Materials(std::filesystem::path shaders, const PresetFigures& figures);
     /// Programs `name`.vert and `name`.frag. Throws Ogre::Exception with the compiler's words.
     ShaderMaterial make(const std::string& name, Blending blending = {});
+    /// The same programs with a texture: its mipmaps are used, it goes on beyond its edges.
+    ShaderMaterial withTexture(const ShaderMaterial& material, const std::string& name,
+                               const std::string& uniform, const Ogre::TexturePtr& texture);
     void setForAll(const std::string& uniform, const Ogre::Vector4& value) const;
 
 private:

@@ -6,6 +6,7 @@
 #include "render/scene/Moment.h"
 #include "render/scene/Preset.h"
 #include "render/scene/ogre/Materials.h"
+#include "render/scene/ship/Fleet.h"
 #include "render/scene/sky/SkyLight.h"
 
 namespace sagara::render {
@@ -19,6 +20,7 @@ struct PartContext {
     Ogre::SceneManager& scenes;
     Materials& materials;
     const PresetFigures& figures;
+    const Fleet& fleet;
 };
 
 /// One instant, the same for all views.

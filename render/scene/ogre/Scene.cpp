@@ -19,16 +19,17 @@ Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::fi
     : m_host(host),
       m_world(std::move(world)),
       m_figures(figuresOf(preset)),
-      m_scenes(host.root().createSceneManager()) {
+      m_scenes(host.root().createSceneManager()),
+      m_fleet(fleetOf(*m_world, assets)) {
     Ogre::ResourceGroupManager::getSingleton().createResourceGroup(kSceneGroup);
     m_materials = std::make_unique<Materials>(assets / "shaders", m_figures);
-    const PartContext context{*m_world, *m_scenes, *m_materials, m_figures};
+    const PartContext context{*m_world, *m_scenes, *m_materials, m_figures, m_fleet};
     m_parts.push_back(std::make_unique<SkyPart>(context));
     auto ownSea = std::make_unique<SeaPart>(context);
     SeaPart& sea = *ownSea;
     m_parts.push_back(std::move(ownSea));
     const ShaderMaterial solid = m_materials->make("solid");
-    m_parts.push_back(std::make_unique<ShipsPart>(context, solid));
+    m_parts.push_back(std::make_unique<ShipsPart>(context, solid, m_materials->make("textured")));
     m_parts.push_back(std::make_unique<LandPart>(context, solid));
     m_parts.push_back(std::make_unique<LightsPart>(context, solid, sea));
     m_parts.push_back(std::make_unique<StarsPart>(context));

@@ -20,6 +20,7 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     Ogre::SceneManager& scenes() { return *m_scenes; }
+    const std::vector<std::string>& remarks() const { return m_fleet.remarks; }
     void advance(const Moment& moment);
     /// Puts everything where this view's eye sees it. After `advance`.
     void look(const Camera& camera, int width, int height);
@@ -29,6 +30,7 @@ private:
     std::shared_ptr<const core::World> m_world;
     PresetFigures m_figures;
     Ogre::SceneManager* m_scenes;
+    Fleet m_fleet;
     std::unique_ptr<Materials> m_materials;
     std::vector<std::unique_ptr<Part>> m_parts;
     Moment m_moment;

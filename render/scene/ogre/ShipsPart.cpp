@@ -4,34 +4,62 @@
 
 #include "render/scene/ogre/Axes.h"
 #include "render/scene/ogre/Buffers.h"
-#include "render/scene/ship/ShipShape.h"
 
 namespace sagara::render {
 
-ShipsPart::ShipsPart(const PartContext& context, const ShaderMaterial& solid)
-    : m_detailWithin_m(context.figures.detailWithin_m) {
-    const auto hang = [&](Ogre::SceneNode* parent, const std::string& name, const Solid& shape) {
+namespace {
+
+/// Makes the nodes of ships and what hangs on them; a texture is uploaded once a ship.
+class Shipyard {
+public:
+    Shipyard(const PartContext& context, const ShaderMaterial& solid, const ShaderMaterial& textured)
+        : m_context(context), m_solid(solid), m_textured(textured) {}
+
+    Ogre::SceneNode* root() { return m_context.scenes.getRootSceneNode()->createChildSceneNode(); }
+    Ogre::SceneNode* hang(Ogre::SceneNode* parent, const std::string& name, const Solid& shape,
+                          const std::vector<TexturedSolid>& textured) {
         Ogre::SceneNode* node = parent->createChildSceneNode();
-        if (shape.indices.empty()) return node;
-        auto* entity = context.scenes.createEntity(meshOf(name, shape, solid.ogre()));
+        if (!shape.indices.empty()) attach(node, meshOf(name, shape, m_solid.ogre()));
+        for (std::size_t i = 0; i < textured.size(); ++i) {
+            if (textured[i].solid.indices.empty()) continue;
+            const std::string skin = name + "-" + std::to_string(i);
+            const auto image = texture(skin, *textured[i].texture);
+            const auto material = m_context.materials.withTexture(m_textured, skin, "u_texture", image);
+            attach(node, meshOf(skin, textured[i], material.ogre()));
+        }
+        return node;
+    }
+
+private:
+    void attach(Ogre::SceneNode* node, const Ogre::MeshPtr& mesh) {
+        auto* entity = m_context.scenes.createEntity(mesh);
         entity->setRenderQueueGroup(kSolidQueue);
         node->attachObject(entity);
-        return node;
-    };
-    const auto build = [&](const std::string& name, const ShipForm& form, unsigned variant) {
-        const ShipShape shape = shapeOf(form, variant);
+    }
+
+    const PartContext& m_context;
+    const ShaderMaterial& m_solid;
+    const ShaderMaterial& m_textured;
+};
+
+}  // namespace
+
+ShipsPart::ShipsPart(const PartContext& context, const ShaderMaterial& solid, const ShaderMaterial& textured)
+    : m_detailWithin_m(context.figures.detailWithin_m) {
+    Shipyard yard(context, solid, textured);
+    const auto build = [&](const std::string& name, const ShipShape& shape) {
         Ship ship;
-        ship.node = context.scenes.getRootSceneNode()->createChildSceneNode();
-        ship.hull = hang(ship.node, name + "-hull", shape.hull);
-        ship.upperworks = hang(ship.node, name + "-upperworks", shape.upperworks);
-        ship.detail = hang(ship.node, name + "-detail", shape.detail);
+        ship.node = yard.root();
+        ship.hull = yard.hang(ship.node, name + "-hull", shape.hull, shape.textured.hull);
+        ship.upperworks =
+            yard.hang(ship.node, name + "-upperworks", shape.upperworks, shape.textured.upperworks);
+        ship.detail = yard.hang(ship.node, name + "-detail", shape.detail, shape.textured.detail);
         return ship;
     };
-    for (std::size_t i = 0; i < context.world.ships.size(); ++i)
-        m_own.push_back(build("own-" + std::to_string(i), formOf(context.world.ships[i]->vessel), 0));
-    for (std::size_t i = 0; i < context.world.targets.size(); ++i)
-        m_targets.push_back(
-            build("target-" + std::to_string(i), formOf(context.world.targets[i]), static_cast<unsigned>(i)));
+    for (std::size_t i = 0; i < context.fleet.own.size(); ++i)
+        m_own.push_back(build("own-" + std::to_string(i), context.fleet.own[i].shape));
+    for (std::size_t i = 0; i < context.fleet.targets.size(); ++i)
+        m_targets.push_back(build("target-" + std::to_string(i), context.fleet.targets[i].shape));
 }
 
 void ShipsPart::advance(const Frame&) {}

@@ -9,7 +9,7 @@ namespace sagara::render {
 /// Hulls of own ships and targets.
 class ShipsPart final : public Part {
 public:
-    ShipsPart(const PartContext& context, const ShaderMaterial& solid);
+    ShipsPart(const PartContext& context, const ShaderMaterial& solid, const ShaderMaterial& textured);
     void advance(const Frame& frame) override;
     void look(const Frame& frame, const View& view) override;
 

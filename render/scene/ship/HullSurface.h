@@ -11,7 +11,8 @@ struct HullPaint {
     Paint deck{0.36, 0.40, 0.38};
 };
 
-/// Shell, transom, deck and bulwark of a ship, from stations worked out from her main particulars.
+/// Shell, transom, deck and bulwark of a ship: through the stations of her document where it has them, else
+/// through stations worked out from her main particulars.
 Solid hullSurface(const ShipForm& form, const HullPaint& paint);
 
 /// Half breadth of the deck at x, to stand things on it.

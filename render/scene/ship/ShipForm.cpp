@@ -88,6 +88,7 @@ ShipForm formOf(const core::Vessel& v) {
     f.block = v.hull.blockCoefficient();
     f.bridge_m = v.bridgeEye.x_m;
     f.bridgeHeight_m = v.bridgeEyeHeight_m;
+    f.stations = v.hull.stations;
     return f;
 }
 

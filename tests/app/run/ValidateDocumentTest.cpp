@@ -68,6 +68,17 @@ TEST_F(ValidateDocument, AMissingVesselIsNamed) {
                                   "id of vessel in the database"}));
 }
 
+TEST_F(ValidateDocument, AMissingPictureIsNamed) {
+    EXPECT_EQ(problemsOf(lessonWith("/traffic/3/picture", "\"dhow\"")),
+              (std::vector<std::string>{"traffic[3].picture names \"dhow\", which is not known, expected the "
+                                        "id of picture in assets/pictures"}));
+    const std::string picture = sagara::test::readAsset("pictures/ferry.json");
+    EXPECT_EQ(problemsOf(with(picture, "/model", "\"dhow.ac\"")),
+              (std::vector<std::string>{
+                  "model names \"dhow.ac\", which is not there, expected a file in assets/models"}));
+    expectOneBegins(problemsOf(with(picture, "/up", "\"y\"")), "up is \"y\", expected one of +x, ");
+}
+
 TEST_F(ValidateDocument, NotANumberIsNoJsonAndItsLineIsTold) {
     std::string text = "{\"document\": \"scenario\",\n \"version\": NaN}";
     const auto problems = problemsOf(text);
@@ -113,7 +124,8 @@ TEST_F(ValidateDocument, CommandsAreCheckedAgainstTheirScenario) {
 TEST_F(ValidateDocument, AnUnknownKindSaysWhatThereIs) {
     EXPECT_EQ(problemsOf(R"({"document": "poem"})"),
               (std::vector<std::string>{
-                  "document is \"poem\", expected one of vessel, area, scenario, commands, rubric, wall"}));
+                  "document is \"poem\", expected one of vessel, area, scenario, commands, rubric, wall, "
+                  "picture"}));
     expectOneBegins(problemsOf("{}"), "document is missing");
     expectOneBegins(problemsOf("[]"), "");
     expectOneBegins(problemsOf(""), "is not JSON");

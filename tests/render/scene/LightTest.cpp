@@ -65,7 +65,8 @@ TEST(LightCharacter, RefusesWhatItDoesNotKnow) {
 }
 
 TEST(LightCharacter, EveryLightOfGalleIsUnderstood) {
-    for (const core::Mark& mark : test::lessonWorld()->area.marks) {
+    const auto world = test::lessonWorld();  // outlives the loop
+    for (const core::Mark& mark : world->area.marks) {
         if (!mark.light) continue;
         EXPECT_TRUE(LightCharacter::parse(mark.light->character)) << mark.id;
     }
@@ -101,6 +102,33 @@ TEST(ShipLights, ASmallCraftHasOneMastheadLightAndASailingYachtNone) {
     EXPECT_EQ(seen(lightsOf(formOf(boat), ShipActivity::UnderWay), 30.0), "GW");
     boat.type = core::TargetType::Yacht;
     EXPECT_EQ(seen(lightsOf(formOf(boat), ShipActivity::UnderWay), 30.0), "G");
+}
+
+TEST(ShipLights, StandWhereThePictureHasThem) {
+    ShipForm form = formOf(test::lessonWorld()->ships[0]->vessel);
+    const auto place = [&](core::LightPlace at) -> auto& {
+        return form.lights[static_cast<std::size_t>(at)];
+    };
+    place(core::LightPlace::MastheadForward) = Point{20.0, 0.0, 9.0};
+    place(core::LightPlace::MastheadAft) = Point{-5.0, 0.0, 15.0};
+    place(core::LightPlace::Port) = Point{3.0, -4.0, 6.0};
+    place(core::LightPlace::AnchorForward) = Point{24.0, 0.0, 8.0};
+    const auto lights = lightsOf(form, ShipActivity::UnderWay);
+    EXPECT_EQ(seen(lights, -40.0), "RWW");
+    EXPECT_EQ(lights[0].position.up, 9.0);
+    EXPECT_EQ(lights[1].position.x, -5.0);
+    EXPECT_EQ(lights[2].position.y, -4.0);
+    EXPECT_EQ(lights[3].position.y, 0.5 * form.beam_m);  // not placed: where it usually is
+    EXPECT_EQ(lightsOf(form, ShipActivity::Anchored)[0].position.x, 24.0);
+}
+
+TEST(ShipLights, AYachtWithAMastheadLightIsUnderPower) {
+    core::TargetLayout boat;
+    boat.length_m = 12.0;
+    boat.type = core::TargetType::Yacht;
+    ShipForm form = formOf(boat);
+    form.lights[static_cast<std::size_t>(core::LightPlace::MastheadForward)] = Point{1.0, 0.0, 8.0};
+    EXPECT_EQ(seen(lightsOf(form, ShipActivity::UnderWay), 30.0), "GW");
 }
 
 TEST(Visibility, ALightIsSeenToItsNominalRangeInAClearNightAndNotBeyond) {

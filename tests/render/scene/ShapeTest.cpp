@@ -78,7 +78,8 @@ TEST(ShipShape, NothingOfTheHullStandsBetweenTheBridgeEyeAndTheSea) {
 }
 
 TEST(MarkShape, EveryMarkOfGalleHasAShapeOfItsHeight) {
-    for (const core::Mark& mark : test::lessonWorld()->area.marks) {
+    const auto world = test::lessonWorld();  // outlives the loop
+    for (const core::Mark& mark : world->area.marks) {
         if (mark.kind == core::MarkKind::Lighthouse) continue;  // among the buildings
         const Extent e = extentOf(shapeOf(mark, false));
         EXPECT_GE(e.high.up, lampHeight_m(mark) - 0.1) << mark.id;

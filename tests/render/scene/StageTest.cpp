@@ -155,6 +155,29 @@ TEST_F(StagePicture, ShowsAnotherExerciseAfterTheFirst) {
     EXPECT_EQ(picture(seaward())->bgra, before->bgra);
 }
 
+TEST_F(StagePicture, DrawsAModelWithItsTextureAlikeInEveryScene) {
+    EXPECT_TRUE(s_stage->remarks().empty()) << s_stage->remarks().front();
+    const Moment m = moment();
+    const auto yacht = std::find_if(m.targets.begin(), m.targets.end(), [](const TargetPose& t) {
+        return s_world->targets[t.index].picture == "yacht";
+    });
+    ASSERT_NE(yacht, m.targets.end());
+    // The white topsides are of the texture; her blue boot-topping is on the same part of it.
+    const Camera beside = shoreCamera(yacht->position + core::NorthEast{-12.0, -12.0}, 3.0, yacht->position,
+                                      1.0, Lens::symmetric(0.6, kWidth, kHeight));
+    const auto first = picture(beside);
+    int white = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const std::uint8_t* c = first->pixel(x, y);
+            if (c[0] > 150 && std::abs(c[0] - c[2]) < 30 && y > kHeight / 2) ++white;
+        }
+    }
+    EXPECT_GT(white, 200);
+    ASSERT_FALSE(s_stage->show(s_world));
+    EXPECT_EQ(picture(beside)->bgra, first->bgra);
+}
+
 TEST_F(StagePicture, DrawsSoonWithoutWaiting) {
     const auto view = s_stage->addViewport(32, 32);
     view->setCamera(seaward());

@@ -18,6 +18,8 @@ std::optional<std::string> TreeSource::find(core::DocumentKind kind, const std::
                 return readAsset("areas/" + id + "/area.json");
             case core::DocumentKind::Scenario:
                 return readAsset("scenarios/" + id + ".json");
+            case core::DocumentKind::Picture:
+                return readAsset("pictures/" + id + ".json");
         }
     } catch (const std::runtime_error&) {
     }

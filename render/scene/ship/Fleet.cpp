@@ -1,0 +1,73 @@
+#include "render/scene/ship/Fleet.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "render/scene/ship/ModelFile.h"
+
+namespace sagara::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+core::Result<core::Picture, std::string> pictureOf(const fs::path& assets, const std::string& id) {
+    const fs::path file = assets / "pictures" / (id + ".json");
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) return "picture " + file.string() + " cannot be read";
+    auto picture = core::loadPicture(file.string(), text.str());
+    if (!picture) return picture.error().text();
+    return std::move(picture).value();
+}
+
+class Builder {
+public:
+    Builder(const fs::path& assets, Fleet& fleet) : m_assets(assets), m_fleet(fleet) {}
+
+    /// `picture` null: she has none.
+    ShipLook look(const std::string& name, ShipForm form, unsigned variant, const core::Picture* picture) {
+        if (picture != nullptr) {
+            auto model = readModel(m_assets / "models", *picture, form.length_m, form.beam_m);
+            if (model) {
+                form.lights = model->lights;
+                return {std::move(form), std::move(model->shape)};
+            }
+            remark(name, model.error());
+        }
+        ShipShape shape = shapeOf(form, variant);
+        return {std::move(form), std::move(shape)};
+    }
+    void remark(const std::string& name, const std::string& what) {
+        m_fleet.remarks.push_back(name + " is drawn without a model: " + what);
+    }
+
+private:
+    fs::path m_assets;
+    Fleet& m_fleet;
+};
+
+}  // namespace
+
+Fleet fleetOf(const core::World& world, const fs::path& assets) {
+    Fleet fleet;
+    Builder builder(assets, fleet);
+    for (const auto& ship : world.ships) {
+        const core::Vessel& v = ship->vessel;
+        fleet.own.push_back(builder.look(ship->id, formOf(v), 0, v.picture ? &*v.picture : nullptr));
+    }
+    for (std::size_t i = 0; i < world.targets.size(); ++i) {
+        const core::TargetLayout& t = world.targets[i];
+        std::optional<core::Picture> picture;
+        if (!t.picture.empty()) {
+            auto read = pictureOf(assets, t.picture);
+            if (read) picture = std::move(read).value();
+            if (!read) builder.remark(t.id, read.error());
+        }
+        fleet.targets.push_back(
+            builder.look(t.id, formOf(t), static_cast<unsigned>(i), picture ? &*picture : nullptr));
+    }
+    return fleet;
+}
+
+}  // namespace sagara::render

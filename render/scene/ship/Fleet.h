@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/exercise/World.h"
+#include "render/scene/ship/ShipForm.h"
+#include "render/scene/ship/ShipShape.h"
+
+namespace sagara::render {
+
+/// How one ship of the exercise is drawn: from her model where she has one that can be read, else from her
+/// form.
+struct ShipLook {
+    ShipForm form;
+    ShipShape shape;
+};
+
+struct Fleet {
+    std::vector<ShipLook> own;         ///< as World::ships
+    std::vector<ShipLook> targets;     ///< as World::targets
+    std::vector<std::string> remarks;  ///< for a person: which models could not be used, and why
+};
+
+/// `assets` has models/ and pictures/.
+Fleet fleetOf(const core::World& world, const std::filesystem::path& assets);
+
+}  // namespace sagara::render
