@@ -22,7 +22,7 @@ Problems problemsOf(const core::Result<T, Problems>& loaded) {
 /// A picture's model must be among the assets; whether it can be read is seen where it is drawn.
 void checkModel(Problems& problems, const char* path, const core::Picture& picture) {
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(assetFolder() / "models" / picture.model, ignored)) return;
+    if (std::filesystem::is_regular_file(files::assetFolder() / "models" / picture.model, ignored)) return;
     problems.add({path, "names \"" + picture.model + "\", which is not there", "a file in assets/models"});
 }
 
