@@ -21,17 +21,18 @@ double diameter_m(const ShipForm& f) {
 double gap_m(const ShipForm& f) { return f.length_m < 20.0 ? 0.4 : 1.5; }
 
 /// Hoisted above each other on the starboard side of the signal mast, clear of the wheelhouse.
-std::vector<DayShape> hoisted(const ShipForm& f, std::initializer_list<Kind> fromTop, double gap) {
+DayHoist hoisted(const ShipForm& f, std::initializer_list<Kind> fromTop, double gap) {
     const SignalMast mast = signalMastOf(f);
     const double aside_m = std::clamp(0.2 * f.beam_m, 0.5, 3.0);
     std::vector<DayShape> shapes;
     for (const Kind kind : fromTop) shapes.push_back({kind, {mast.main_m, aside_m, 0.0}, diameter_m(f)});
-    double up = std::max(f.bridgeHeight_m, f.deckAt_m(mast.main_m)) + 1.5;
+    const double roof_m = std::max(f.bridgeHeight_m, f.deckAt_m(mast.main_m)) + 0.3;
+    double up = roof_m + 1.2;
     for (auto shape = shapes.rbegin(); shape != shapes.rend(); ++shape) {
         shape->centre.up = up + 0.5 * shape->height_m();
         up += shape->height_m() + gap;
     }
-    return shapes;
+    return {std::move(shapes), roof_m, up - gap + 0.3};
 }
 
 void cone(Solid& s, double base, double apex, double radius) {
@@ -65,15 +66,15 @@ void shapeAt(Solid& s, const DayShape& shape, double up) {
 
 }  // namespace
 
-std::vector<DayShape> dayShapesOf(const ShipForm& f, core::Activity activity) {
+DayHoist dayHoistOf(const ShipForm& f, core::Activity activity) {
     using enum core::Activity;
     switch (activity) {
         case Anchored: {
             if (f.length_m < 7.0) return {};  // rule 30(e)
-            // Rule 30(a)(i): a ball in the fore part.
-            const double x = 0.38 * f.length_m;
-            const double up = f.deckAt_m(x) + std::clamp(0.07 * f.length_m, 1.8, 8.0);
-            return {{Kind::Ball, {x, 0.0, up}, diameter_m(f)}};
+            // Rule 30(a)(i): a ball in the fore part; below the anchor light.
+            const SignalMast mast = signalMastOf(f);
+            const Point centre{mast.anchor_m, 0.0, mast.anchorUp_m - 1.2 * diameter_m(f)};
+            return {{{Kind::Ball, centre, diameter_m(f)}}, f.deckAt_m(mast.anchor_m), mast.anchorUp_m};
         }
         case Fishing:
         case Trawling:  // rule 26(b)(i), (c)(i): two cones, apexes together
@@ -93,13 +94,12 @@ std::vector<DayShape> dayShapesOf(const ShipForm& f, core::Activity activity) {
     return {};
 }
 
-Solid hoistOf(const std::vector<DayShape>& shapes) {
+Solid solidOf(const DayHoist& hoist) {
     Solid s;
-    if (shapes.empty()) return s;
-    const double foot = shapes.back().centre.up;
-    for (const DayShape& shape : shapes) shapeAt(s, shape, shape.centre.up - foot);
-    const double top = shapes.front().centre.up - foot + shapes.front().height_m();
-    s.bar({0.0, 0.0, -1.5 - 0.5 * shapes.back().height_m()}, {0.0, 0.0, top}, 0.025, kHalyard, 3);
+    if (hoist.shapes.empty()) return s;
+    const double origin = hoist.shapes.back().centre.up;
+    for (const DayShape& shape : hoist.shapes) shapeAt(s, shape, shape.centre.up - origin);
+    s.bar({0.0, 0.0, hoist.footUp_m - origin}, {0.0, 0.0, hoist.headUp_m - origin}, 0.025, kHalyard, 3);
     return s;
 }
 

@@ -17,10 +17,16 @@ struct DayShape {
     double height_m() const { return kind == Kind::Diamond ? 2.0 * diameter_m : diameter_m; }
 };
 
-/// Shapes of rules 24 to 30, from the top down; empty for most.
-std::vector<DayShape> dayShapesOf(const ShipForm& form, core::Activity activity);
+/// Shapes above each other, from the top down, and the staff or halyard they hang on.
+struct DayHoist {
+    std::vector<DayShape> shapes;  ///< empty for most ships
+    double footUp_m = 0.0;
+    double headUp_m = 0.0;
+};
+/// What rules 24 to 30 ask for.
+DayHoist dayHoistOf(const ShipForm& form, core::Activity activity);
 
-/// Them and what they hang on, about the lowest one's centre, upright.
-Solid hoistOf(const std::vector<DayShape>& shapes);
+/// It as a solid about the lowest shape's centre, upright.
+Solid solidOf(const DayHoist& hoist);
 
 }  // namespace sagara::render

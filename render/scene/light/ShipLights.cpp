@@ -128,14 +128,10 @@ void Lamps::restricted(bool makingWay) {
 
 void Lamps::anchored() {
     if (f.length_m < 7.0) return;  // rule 30(e)
-    const double bow = 0.46 * f.length_m, after = f.deckAt_m(stern()) + 3.0;
-    if (f.length_m < 50.0) {  // rule 30(b)
-        allRound({bow, 0.0, f.deckAt_m(bow) + 2.5}, kWhite);
-        return;
-    }
-    // Rule 30(a); annex I, 2(k): the forward one 6 m above the hull and 4.5 m above the after one.
-    allRound({bow, 0.0, std::max(f.deckAt_m(bow) + 6.0, after + 4.5)}, kWhite);
-    allRound({stern(), 0.0, after}, kWhite);
+    allRound({m.anchor_m, 0.0, m.anchorUp_m}, kWhite);
+    if (f.length_m < 50.0) return;  // rule 30(b)
+    // Rule 30(a)(ii); annex I, 2(k): 4.5 m below the forward one.
+    allRound({stern(), 0.0, std::min(f.deckAt_m(stern()) + 3.0, m.anchorUp_m - 4.5)}, kWhite);
     if (f.length_m < 100.0) return;
     for (const double share : {-0.36, -0.18, 0.0, 0.18, 0.36}) {  // rule 30(c): her decks are lit
         const double x = share * f.length_m;

@@ -34,6 +34,11 @@ SignalMast signalMastOf(const ShipForm& f) {
     double side_m = std::min(f.bridgeHeight_m, 0.75 * m.foreUp_m);
     if (f.style == ShipStyle::Fishing) side_m = std::min(side_m, m.foreUp_m - 3.0 * m.spacing_m);
     m.sideUp_m = std::max(f.freeboard_m + 0.8, side_m);
+    m.anchor_m = 0.38 * f.length_m;
+    const double deck_m = f.deckAt_m(m.anchor_m);
+    // 2(k): from 50 m at least 6 m above the hull.
+    m.anchorUp_m =
+        deck_m + (m.two ? std::clamp(0.1 * f.length_m, 6.0, 12.0) : std::max(2.5, 0.1 * f.length_m));
     return m;
 }
 

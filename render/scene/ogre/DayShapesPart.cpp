@@ -18,11 +18,12 @@ DayShapesPart::DayShapesPart(const PartContext& context, const ShaderMaterial& s
 }
 
 void DayShapesPart::add(const ShipForm& form, const ShipPose& pose, std::optional<std::size_t> own) {
-    const std::vector<DayShape> shapes = dayShapesOf(form, pose.activity);
-    if (shapes.empty()) return;
-    const Point at = shapes.back().centre;
+    const DayHoist hoist = dayHoistOf(form, pose.activity);
+    if (hoist.shapes.empty()) return;
+    const DayShape& lowest = hoist.shapes.back();
+    const Point at = lowest.centre;
     const bool abaft = at.x < form.bridge_m + 1.0;
-    m_hoists.push_back({pointOnShip(pose, at.x, at.y, at.up), hoistOf(shapes), shapes.back().diameter_m,
+    m_hoists.push_back({pointOnShip(pose, at.x, at.y, at.up), solidOf(hoist), lowest.diameter_m,
                         abaft ? own : std::nullopt});
 }
 

@@ -22,7 +22,7 @@ ShipForm ship(double length_m) {
 /// From the top: o ball, ^ and v cones by their apex, d diamond.
 std::string hoisted(double length_m, Activity activity) {
     std::string text;
-    for (const DayShape& shape : dayShapesOf(ship(length_m), activity))
+    for (const DayShape& shape : dayHoistOf(ship(length_m), activity).shapes)
         text += "o^vd"[static_cast<int>(shape.kind)];
     return text;
 }
@@ -61,7 +61,7 @@ TEST_P(ShapesByRule, AreHoisted) {
 TEST(DayShapes, HaveTheSizesAndDistancesOfAnnexI) {
     for (const double length_m : {20.0, 54.0, 190.0}) {
         for (const Activity activity : {Activity::NotUnderCommand, Activity::Restricted}) {
-            const auto shapes = dayShapesOf(ship(length_m), activity);
+            const auto shapes = dayHoistOf(ship(length_m), activity).shapes;
             for (std::size_t i = 0; i < shapes.size(); ++i) {
                 EXPECT_GE(shapes[i].diameter_m, 0.6);
                 if (i == 0) continue;
@@ -74,30 +74,32 @@ TEST(DayShapes, HaveTheSizesAndDistancesOfAnnexI) {
 }
 
 TEST(DayShapes, ConesOfWhoFishesTouchWithTheirApexes) {
-    const auto cones = dayShapesOf(ship(24.0), Activity::Fishing);
+    const auto cones = dayHoistOf(ship(24.0), Activity::Fishing).shapes;
     ASSERT_EQ(cones.size(), 2u);
     EXPECT_NEAR(cones[0].centre.up - cones[1].centre.up, cones[0].height_m(), 1e-9);
 }
 
 TEST(DayShapes, TheAnchorBallIsInTheForePartAndTheOthersAboveTheBridge) {
     const ShipForm form = ship(78.0);
-    EXPECT_GT(dayShapesOf(form, Activity::Anchored)[0].centre.x, 0.3 * form.length_m);
-    EXPECT_GT(dayShapesOf(form, Activity::Restricted).back().centre.up, form.bridgeHeight_m + 1.0);
+    EXPECT_GT(dayHoistOf(form, Activity::Anchored).shapes[0].centre.x, 0.3 * form.length_m);
+    EXPECT_GT(dayHoistOf(form, Activity::Restricted).shapes.back().centre.up, form.bridgeHeight_m + 1.0);
 }
 
 TEST(DayShapes, AHoistIsBlackAndOfFewTriangles) {
-    const auto shapes = dayShapesOf(ship(78.0), Activity::Restricted);
-    const Solid hoist = hoistOf(shapes);
-    EXPECT_LT(hoist.triangles(), 250u);
+    const DayHoist hoist = dayHoistOf(ship(78.0), Activity::Restricted);
+    const Solid solid = solidOf(hoist);
+    EXPECT_LT(solid.triangles(), 250u);
     double low = 1e9, high = -1e9;
-    for (const SolidVertex& v : hoist.vertices) {
+    for (const SolidVertex& v : solid.vertices) {
         EXPECT_LT(v.colour.red, 0.3);
         low = std::min(low, v.position.up);
         high = std::max(high, v.position.up);
     }
-    EXPECT_LT(low, -0.5 * shapes.back().height_m());
-    EXPECT_GT(high, shapes.front().centre.up - shapes.back().centre.up);
-    EXPECT_TRUE(hoistOf({}).indices.empty());
+    const double origin = hoist.shapes.back().centre.up;
+    EXPECT_NEAR(low, hoist.footUp_m - origin, 0.03);
+    EXPECT_NEAR(high, hoist.headUp_m - origin, 0.03);
+    EXPECT_GT(hoist.headUp_m, hoist.shapes.front().centre.up + 0.5 * hoist.shapes.front().height_m());
+    EXPECT_TRUE(solidOf({}).indices.empty());
 }
 
 }  // namespace
