@@ -37,7 +37,10 @@ public:
     std::vector<ShipLight> take() { return std::move(m_lights); }
 
     void powerDriven();
-    void sideAndStern();
+    void sideAndStern() {
+        sides();
+        astern(sternUp(), kWhite);
+    }
     void towing();
     void fishing(const Colour3& upper, const Colour3& lower, bool makingWay);
     void notUnderCommand(bool makingWay);
@@ -55,6 +58,7 @@ private:
         m_lights.push_back(
             {{stern(), 0.0, up}, colour, kSide_rad, core::kTwoPi - kSide_rad, m_range.stern_M});
     }
+    void sides();
     void mastheads() {
         masthead(m.fore_m, m.foreUp_m);
         if (m.two) masthead(m.main_m, m.mainUp_m);
@@ -68,11 +72,10 @@ private:
     std::vector<ShipLight> m_lights;
 };
 
-void Lamps::sideAndStern() {
+void Lamps::sides() {
     // Sidelights stand where they are not hidden by the bow: at the bridge.
     m_lights.push_back({{f.bridge_m, -0.5 * f.beam_m, m.sideUp_m}, kRed, -kSide_rad, 0.0, m_range.side_M});
     m_lights.push_back({{f.bridge_m, 0.5 * f.beam_m, m.sideUp_m}, kGreen, 0.0, kSide_rad, m_range.side_M});
-    astern(sternUp(), kWhite);
 }
 
 void Lamps::powerDriven() {
@@ -85,8 +88,7 @@ void Lamps::powerDriven() {
     // light alone. Annex I, 2(d): 1 m above the sidelights.
     allRound({m.fore_m, 0.0, std::max(m.foreUp_m, m.sideUp_m + 1.0)}, kWhite);
     if (f.length_m < 7.0 && f.style != ShipStyle::FastCraft) return;
-    sideAndStern();
-    m_lights.pop_back();
+    sides();
 }
 
 void Lamps::towing() {

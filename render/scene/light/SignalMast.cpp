@@ -6,7 +6,7 @@ namespace sagara::render {
 
 SignalMast signalMastOf(const ShipForm& f) {
     // Annex I, 2(a): the forward light at least the beam above the hull, between 6 and 12 m; 2(c): 2.5 m
-    // under 20 m. The bridge must see over it all.
+    // under 20 m. Over the bridge in any case.
     const double least_m = f.length_m >= 20.0 ? std::clamp(f.beam_m, 6.0, 12.0) : 2.5;
     const double foreLeast_m = f.freeboard_m + least_m;
     const double first_m = std::max(f.bridgeHeight_m + 2.0, f.freeboard_m + std::clamp(f.beam_m, 2.5, 12.0));
