@@ -48,7 +48,9 @@ render::Moment momentAt(const core::World& world, const render::Moment& start, c
     render::Moment m = start;
     m.time = time;
     render::OwnShipPose& own = m.ships.at(0);
-    own.moored = own.anchored = false;
+    own.activity = core::Activity::UnderWay;
+    own.lines.clear();
+    own.anchors.clear();
     own.position = place + (kSpeed_mps * t) * core::unitVector(heading);
     own.heading_rad = heading;
     own.roll_rad = 0.04 * std::sin(0.8 * t);
@@ -58,6 +60,7 @@ render::Moment momentAt(const core::World& world, const render::Moment& start, c
     for (std::size_t i = 0; i < std::min<std::size_t>(6, world.targets.size()); ++i) {
         render::TargetPose target;
         target.index = i;
+        target.activity = world.targets[i].activity;
         const double bearing = heading + 0.16 * (static_cast<double>(i) - 2.5);
         target.heading_rad = heading + 1.1 * static_cast<double>(i);
         target.speedThroughWater_mps = 2.0 + static_cast<double>(i);

@@ -31,6 +31,11 @@ std::vector<Shot> shotsOf(const core::World& world, const render::Moment& m, con
         shots.push_back({"chase", chaseCamera(m.ships[0], length_m, 0.5, lens)});
         shots.push_back(
             {"beside", render::shoreCamera(ship + core::NorthEast{-60.0, 75.0}, 12.0, ship, 4.0, lens)});
+        const core::HeadingFrame deck(ship, m.ships[0].heading_rad);
+        shots.push_back({"bow", render::shoreCamera(deck.point({0.5 * length_m + 24.0, -16.0}), 7.0,
+                                                    deck.point({0.3 * length_m, 0.0}), 3.0, lens)});
+        shots.push_back({"quarter", render::shoreCamera(deck.point({-0.5 * length_m - 24.0, -16.0}), 7.0,
+                                                        deck.point({-0.3 * length_m, 0.0}), 3.0, lens)});
     }
     for (const render::TargetPose& target : m.targets) {
         const core::TargetLayout& layout = world.targets[target.index];

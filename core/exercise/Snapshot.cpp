@@ -1,5 +1,6 @@
 #include "core/exercise/Snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/Trig.h"
@@ -8,6 +9,14 @@
 
 namespace sagara::core {
 namespace {
+
+/// The rudder does not answer, or nothing drives her. One engine of two, one pump of two still do.
+bool unableToManoeuvre(const OwnShip& ship, const OwnShipState& s) {
+    constexpr int kPumps = 2;
+    const auto end = s.shafts.begin() + static_cast<std::ptrdiff_t>(ship.shaftCount());
+    return s.steering.jammed || s.steering.pumpsFailed >= kPumps ||
+           std::all_of(s.shafts.begin(), end, [](const ShaftState& shaft) { return shaft.failed; });
+}
 
 OwnShipView viewShip(const OwnShip& ship, const OwnShipState& s, NorthEast current) {
     OwnShipView v;
@@ -25,6 +34,7 @@ OwnShipView viewShip(const OwnShip& ship, const OwnShipState& s, NorthEast curre
     v.anchors.assign(s.anchors.begin(), s.anchors.begin() + static_cast<std::ptrdiff_t>(ship.anchorCount()));
     v.underKeel_m = s.underKeel_m;
     v.aground = s.aground;
+    v.notUnderCommand = unableToManoeuvre(ship, s);
     return v;
 }
 
@@ -47,6 +57,14 @@ void ride(TargetView& v, double length_m, const ActiveWaves& waves, double shelt
 
 }  // namespace
 
+Activity activityOf(const OwnShipView& ship) {
+    const auto holdsOn = [](const AnchorState& a) { return a.onBottom && a.cableOut_m > 0.0; };
+    const auto isFast = [](const LineState& line) { return line.onBollard(); };
+    if (std::any_of(ship.lines.begin(), ship.lines.end(), isFast)) return Activity::Moored;
+    if (std::any_of(ship.anchors.begin(), ship.anchors.end(), holdsOn)) return Activity::Anchored;
+    return ship.notUnderCommand ? Activity::NotUnderCommand : Activity::UnderWay;
+}
+
 Snapshot view(const World& world, const State& state) {
     Snapshot snapshot;
     snapshot.tick = state.tick;
@@ -63,7 +81,15 @@ Snapshot view(const World& world, const State& state) {
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const TargetState& t = state.targets[i];
         if (!t.present) continue;
-        TargetView v{i, t.position, 0.0, 0.0, 0.0, t.heading_rad, t.speed_mps, t.yawRate_radps};
+        TargetView v{i,
+                     t.position,
+                     0.0,
+                     0.0,
+                     0.0,
+                     t.heading_rad,
+                     t.speed_mps,
+                     t.yawRate_radps,
+                     activityNow(world.targets[i], t)};
         ride(v, world.targets[i].length_m, waves, world.area.shelterFactor(t.position));
         snapshot.targets.push_back(v);
     }

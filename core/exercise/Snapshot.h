@@ -21,7 +21,10 @@ struct OwnShipView {
     std::vector<AnchorState> anchors;
     double underKeel_m = 0.0;
     bool aground = false;
+    bool notUnderCommand = false;  ///< by a fault: no rudder that answers, or no engine
 };
+/// What she is doing as others see it. Not under command is who is neither at anchor nor alongside.
+Activity activityOf(const OwnShipView& ship);
 
 /// One traffic ship that is there. She rides the long waves like a cork of her length.
 struct TargetView {
@@ -33,6 +36,7 @@ struct TargetView {
     double heading_rad = 0.0;
     double speed_mps = 0.0;
     double yawRate_radps = 0.0;
+    Activity activity = Activity::UnderWay;
 };
 
 struct TaskView {

@@ -9,6 +9,20 @@
 namespace sagara::core {
 namespace {
 
+/// What she does, when it is said, must go with how she moves.
+Activity readActivity(config::Reader& in, const TargetLayout& t) {
+    if (!in.has("activity")) return usualActivity(t.type, t.behaviour);
+    const auto named = [](Activity a) { return config::Reader::Choice<Activity>{activityName(a), a}; };
+    using enum Activity;
+    const auto activity = in.choiceIfKnown<Activity>(
+        "activity", {named(UnderWay), named(Anchored), named(Fishing), named(Trawling), named(Towing),
+                     named(NotUnderCommand), named(Restricted), named(Moored), named(Sailing)});
+    if (activity && !isUnderWay(*activity) && t.behaviour != TargetBehaviour::Lying)
+        in.problem("activity", std::string("is \"") + activityName(*activity) + "\"",
+                   "that of a vessel under way, for she is not lying");
+    return activity.value_or(Activity::UnderWay);
+}
+
 TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
     config::Reader in(node);
     TargetLayout t;
@@ -26,6 +40,7 @@ TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
                                                            {"circuit", TargetBehaviour::Circuit},
                                                            {"lying", TargetBehaviour::Lying},
                                                            {"hostile", TargetBehaviour::Hostile}});
+    t.activity = readActivity(in, t);
     t.length_m = in.number("length_m", {3.0, 400.0, "m"});
     t.beam_m = in.number("beam_m", {1.0, 70.0, "m"});
     t.draught_m = in.number("draught_m", {0.2, 25.0, "m"});

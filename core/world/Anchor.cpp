@@ -19,8 +19,6 @@ constexpr double kDigIn_m = 4.0;            // dragged until the flukes hold ful
 constexpr double kHoldUnset = 0.35;         // share of the holding power of an anchor that has not dug in
 constexpr double kDragPace_mps = 2.0;       // speed of dragging at twice the holding power
 
-double cableWeight_Npm(const AnchorGear& gear) { return kSubmerged * gear.cableMass_kgpm * kGravity_mps2; }
-
 /// Cable out in this tick, by what the windlass is doing.
 double cableSpeed_mps(const AnchorGear& gear, const AnchorState& anchor) {
     switch (anchor.status) {
@@ -76,6 +74,10 @@ void drag(AnchorState& anchor, double holding_N, double slackening_m, NorthEast 
     anchor.set = std::min(1.0, anchor.set + step_m / kDigIn_m);
 }
 
+}  // namespace
+
+double cableWeight_Npm(const AnchorGear& gear) { return kSubmerged * gear.cableMass_kgpm * kGravity_mps2; }
+
 /// EA of studlink cable from its mass: steel of reduced modulus on twice the bar's section.
 double cableStiffness_N(const AnchorGear& gear) {
     constexpr double kModulus_Pa = 5.6e10;
@@ -83,8 +85,6 @@ double cableStiffness_N(const AnchorGear& gear) {
         7850.0 * 3.55;  // mass per metre over the bar's section (ISO 1704)
     return kModulus_Pa * 2.0 * gear.cableMass_kgpm / kMassPerSection_kgpm3;
 }
-
-}  // namespace
 
 const char* anchorStatusName(AnchorStatus status) {
     switch (status) {

@@ -43,6 +43,10 @@ struct AnchorGround {
     double holdingRatio = 1.0;  ///< of the area
 };
 
+/// Of its cable in water, and EA of it.
+double cableWeight_Npm(const AnchorGear& gear);
+double cableStiffness_N(const AnchorGear& gear);
+
 /// Most horizontal pull the anchor and the cable that lies can take before they move. Anchor: holding factor
 /// times weight, a third of it before the flukes have dug in, less by 1/15 for every degree of uplift, half
 /// when it is dragged faster than 0.5 m/s. Cable on the ground: friction of its own weight.

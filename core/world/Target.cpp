@@ -54,6 +54,15 @@ double TargetLayout::mass_kg() const {
     return kSeaWaterDensity_kgpm3 * kBlock * length_m * beam_m * draught_m;
 }
 
+Activity usualActivity(TargetType type, TargetBehaviour behaviour) {
+    if (behaviour == TargetBehaviour::Lying) return Activity::Anchored;
+    return type == TargetType::Yacht ? Activity::Sailing : Activity::UnderWay;
+}
+
+Activity activityNow(const TargetLayout& layout, const TargetState& state) {
+    return state.stopped && isUnderWay(layout.activity) ? Activity::NotUnderCommand : layout.activity;
+}
+
 TargetState startOf(const TargetLayout& layout) {
     TargetState s;
     s.position = layout.route.front().position;

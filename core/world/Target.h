@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/Planar.h"
+#include "core/world/Activity.h"
 
 namespace sagara::core {
 
@@ -24,6 +25,7 @@ struct TargetLayout {
     std::string name;
     TargetType type = TargetType::Fishing;
     TargetBehaviour behaviour = TargetBehaviour::Route;
+    Activity activity = Activity::UnderWay;
     double length_m = 10.0;
     double beam_m = 3.0;
     double draught_m = 1.0;
@@ -63,6 +65,12 @@ struct TargetState {
            self.leg, self.orderedSpeed_mps, self.phase, self.phaseTime_s);
     }
 };
+
+/// What she is taken to do when the scenario does not say: lying ships are at anchor, yachts sail.
+Activity usualActivity(TargetType type, TargetBehaviour behaviour);
+/// What she is doing now. Stopped after a collision or by order she is not under command, unless she lay at
+/// anchor or alongside: not under command is who is under way (rule 3).
+Activity activityNow(const TargetLayout& layout, const TargetState& state);
 
 /// She at her start, heading along her first leg at its speed, not yet present.
 TargetState startOf(const TargetLayout& layout);

@@ -8,6 +8,9 @@ namespace {
 /// Twelve years: its seconds are exact as doubles.
 constexpr std::int64_t kLongest_us = 400'000'000'000'000;
 
+/// Lines and cables are drawn by their length: longer than any ship has.
+constexpr double kLongestRope_m = 10'000.0;
+
 void write(core::NorthEast p, wire::NorthEast& w) {
     w.set_north(p.north_m);
     w.set_east(p.east_m);
@@ -49,14 +52,15 @@ core::ShipMotion read(const wire::Motion& w, Check& check) {
 
 core::LineState read(const wire::Line& w, Check& check) {
     return {check.choice(w.status(), core::LineStatus::Parted, "line.status"),
-            check.number(w.length_m(), "line.length_m"), check.number(w.tension_n(), "line.tension_N")};
+            check.between(w.length_m(), 0.0, kLongestRope_m, "line.length_m"),
+            check.number(w.tension_n(), "line.tension_N")};
 }
 
 core::AnchorState read(const wire::Anchor& w, Check& check) {
     core::AnchorState a;
     a.status = check.choice(w.status(), core::AnchorStatus::CableParted, "anchor.status");
     a.onBottom = w.on_bottom();
-    a.cableOut_m = check.number(w.cable_out_m(), "anchor.cableOut_m");
+    a.cableOut_m = check.between(w.cable_out_m(), 0.0, kLongestRope_m, "anchor.cableOut_m");
     a.position = read(w.position(), check, "anchor.position_m");
     return a;
 }
@@ -81,6 +85,7 @@ void write(const core::OwnShipView& s, wire::OwnShip& w) {
     }
     w.set_aground(s.aground);
     w.set_under_keel_m(s.underKeel_m);
+    w.set_not_under_command(s.notUnderCommand);
 }
 core::OwnShipView read(const wire::OwnShip& w, Check& check) {
     core::OwnShipView s;
@@ -95,6 +100,7 @@ core::OwnShipView read(const wire::OwnShip& w, Check& check) {
         s.anchors.push_back(read(w.anchors(i), check));
     s.aground = w.aground();
     s.underKeel_m = check.number(w.under_keel_m(), "ship.underKeel_m");
+    s.notUnderCommand = w.not_under_command();
     return s;
 }
 
@@ -107,6 +113,7 @@ void write(const core::TargetView& t, wire::Target& w) {
     w.set_heading_rad(t.heading_rad);
     w.set_speed_mps(t.speed_mps);
     w.set_yaw_rate_radps(t.yawRate_radps);
+    w.set_activity(static_cast<std::uint32_t>(t.activity));
 }
 core::TargetView read(const wire::Target& w, Check& check) {
     core::TargetView t;
@@ -118,6 +125,7 @@ core::TargetView read(const wire::Target& w, Check& check) {
     t.heading_rad = check.number(w.heading_rad(), "target.heading_rad");
     t.speed_mps = check.number(w.speed_mps(), "target.speed_mps");
     t.yawRate_radps = check.number(w.yaw_rate_radps(), "target.yawRate_radps");
+    t.activity = check.choice(w.activity(), core::kLastActivity, "target.activity");
     return t;
 }
 

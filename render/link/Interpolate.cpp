@@ -26,6 +26,19 @@ core::ShipMotion mix(const core::ShipMotion& a, const core::ShipMotion& b, doubl
     return m;
 }
 
+core::LineState mix(const core::LineState& a, const core::LineState& b, double f) {
+    if (a.onBollard() != b.onBollard()) return b;  // made fast or cast off in between
+    return {b.status, mix(a.length_m, b.length_m, f), mix(a.tension_N, b.tension_N, f)};
+}
+
+core::AnchorState mix(const core::AnchorState& a, const core::AnchorState& b, double f) {
+    core::AnchorState m = b;
+    if (a.status == core::AnchorStatus::Home || b.status == core::AnchorStatus::CableParted) return m;
+    m.cableOut_m = mix(a.cableOut_m, b.cableOut_m, f);
+    if (a.onBottom && b.onBottom) m.position = mix(a.position, b.position, f);
+    return m;
+}
+
 core::OwnShipView mix(const core::OwnShipView& a, const core::OwnShipView& b, double f, double span_s) {
     core::OwnShipView v = b;
     if (jumped(a.motion.position(), b.motion.position(), span_s)) return v;
@@ -34,6 +47,10 @@ core::OwnShipView mix(const core::OwnShipView& a, const core::OwnShipView& b, do
     v.rudder_rad = mix(a.rudder_rad, b.rudder_rad, f);
     for (std::size_t i = 0; i < std::min(a.shafts_rps.size(), b.shafts_rps.size()); ++i)
         v.shafts_rps[i] = mix(a.shafts_rps[i], b.shafts_rps[i], f);
+    for (std::size_t i = 0; i < std::min(a.lines.size(), b.lines.size()); ++i)
+        v.lines[i] = mix(a.lines[i], b.lines[i], f);
+    for (std::size_t i = 0; i < std::min(a.anchors.size(), b.anchors.size()); ++i)
+        v.anchors[i] = mix(a.anchors[i], b.anchors[i], f);
     return v;
 }
 

@@ -9,8 +9,8 @@ namespace sagara::link {
 
 /// What is seen at a moment between two snapshots of one exercise. Positions and attitudes in a straight
 /// line, directions the short way. A ship that was put elsewhere (farther than 200 m/s would take her) is not
-/// drawn on the way. The sea is that of the later snapshot: its systems are exact, so every channel raises
-/// the same components.
+/// drawn on the way. What a ship is doing, and whether a line is fast, is as the later says. The sea is that
+/// of the later snapshot: its systems are exact, so every channel raises the same components.
 core::Snapshot interpolated(const core::Snapshot& a, const core::Snapshot& b, core::SimTime time);
 
 /// The last few snapshots of a run, and the picture at any moment among them. Not thread-safe.

@@ -1,11 +1,7 @@
 #include "render/scene/Moment.h"
 
-#include <algorithm>
-
 namespace sagara::render {
 namespace {
-
-bool holdsOn(const core::AnchorState& anchor) { return anchor.onBottom && anchor.cableOut_m > 0.0; }
 
 OwnShipPose poseOf(const core::OwnShipView& ship) {
     OwnShipPose p;
@@ -17,9 +13,9 @@ OwnShipPose poseOf(const core::OwnShipView& ship) {
     p.speedThroughWater_mps = ship.motion.surge_mps;
     p.yawRate_radps = ship.motion.yawRate_radps;
     p.rudder_rad = ship.rudder_rad;
-    p.anchored = std::any_of(ship.anchors.begin(), ship.anchors.end(), holdsOn);
-    p.moored = std::any_of(ship.lines.begin(), ship.lines.end(),
-                           [](const core::LineState& line) { return line.onBollard(); });
+    p.activity = core::activityOf(ship);
+    p.lines = ship.lines;
+    p.anchors = ship.anchors;
     return p;
 }
 
@@ -32,6 +28,7 @@ TargetPose poseOf(const core::TargetView& target) {
     p.heading_rad = target.heading_rad;
     p.speedThroughWater_mps = target.speed_mps;
     p.yawRate_radps = target.yawRate_radps;
+    p.activity = target.activity;
     p.index = target.index;
     return p;
 }

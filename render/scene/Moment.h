@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/exercise/Snapshot.h"
@@ -15,12 +16,15 @@ struct ShipPose {
     double heading_rad = 0.0;
     double speedThroughWater_mps = 0.0;  ///< ahead positive; makes bow wave and wake
     double yawRate_radps = 0.0;
-    bool anchored = false;  ///< shows an anchor light instead of those under way
-    bool moored = false;    ///< shows no lights but deck lights
+    core::Activity activity = core::Activity::UnderWay;  ///< her lights and shapes
+
+    bool makingWay() const { return std::abs(speedThroughWater_mps) > 0.25; }  ///< half a knot
 };
 
 struct OwnShipPose : ShipPose {
     double rudder_rad = 0.0;
+    std::vector<core::LineState> lines;      ///< as World::ships' lines
+    std::vector<core::AnchorState> anchors;  ///< as her ground tackle's
 };
 
 struct TargetPose : ShipPose {

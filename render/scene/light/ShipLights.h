@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/world/Activity.h"
 #include "render/scene/shape/Solid.h"
 #include "render/scene/ship/ShipForm.h"
 
@@ -21,9 +22,10 @@ struct ShipLight {
     double seenFrom(double relativeBearing_rad) const;
 };
 
-enum class ShipActivity { UnderWay, Anchored, Moored };
+using ShipActivity = core::Activity;
 
-/// Lights she shows. Yachts are taken to be sailing, unless a masthead light is placed.
-std::vector<ShipLight> lightsOf(const ShipForm& form, ShipActivity activity);
+/// Lights she shows at night, after rules 23 to 30. `makingWay`: through the water; who fishes, is not under
+/// command or restricted shows no side and stern lights without it.
+std::vector<ShipLight> lightsOf(const ShipForm& form, ShipActivity activity, bool makingWay = true);
 
 }  // namespace sagara::render

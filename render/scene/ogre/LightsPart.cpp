@@ -10,15 +10,6 @@
 #include "render/scene/ogre/Buffers.h"
 
 namespace sagara::render {
-namespace {
-
-ShipActivity activityOf(const ShipPose& pose) {
-    return pose.moored     ? ShipActivity::Moored
-           : pose.anchored ? ShipActivity::Anchored
-                           : ShipActivity::UnderWay;
-}
-
-}  // namespace
 
 LightsPart::LightsPart(const PartContext& context, const ShaderMaterial& solid, const SeaPart& sea)
     : m_sea(sea),
@@ -76,7 +67,7 @@ void LightsPart::shine(const Frame& frame, const View& view, core::NorthEast p, 
 
 void LightsPart::shipLights(const Frame& frame, const View& view, const ShipForm& form,
                             const ShipPose& pose) {
-    for (const ShipLight& light : lightsOf(form, activityOf(pose))) {
+    for (const ShipLight& light : lightsOf(form, pose.activity, pose.makingWay())) {
         const PlaceUp place = pointOnShip(pose, light.position.x, light.position.y, light.position.up);
         const double bearing = core::bearing_rad(place.position, view.camera.position) - pose.heading_rad;
         const double seen = light.seenFrom(bearing);

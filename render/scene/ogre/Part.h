@@ -53,6 +53,7 @@ enum Queue : std::uint8_t {
     kSeaQueue = 60,
     kSkyQueue = 70,
     kFoamQueue = 75,
+    kLineQueue = 77,
     kSpriteQueue = 80
 };
 

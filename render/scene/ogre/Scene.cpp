@@ -3,8 +3,10 @@
 #include <OgreResourceGroupManager.h>
 #include <OgreRoot.h>
 
+#include "render/scene/ogre/DayShapesPart.h"
 #include "render/scene/ogre/LandPart.h"
 #include "render/scene/ogre/LightsPart.h"
+#include "render/scene/ogre/LinesPart.h"
 #include "render/scene/ogre/RainPart.h"
 #include "render/scene/ogre/SeaPart.h"
 #include "render/scene/ogre/ShipsPart.h"
@@ -32,6 +34,8 @@ Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::fi
     m_parts.push_back(std::make_unique<ShipsPart>(context, solid, m_materials->make("textured")));
     m_parts.push_back(std::make_unique<LandPart>(context, solid));
     m_parts.push_back(std::make_unique<LightsPart>(context, solid, sea));
+    m_parts.push_back(std::make_unique<DayShapesPart>(context, solid));
+    m_parts.push_back(std::make_unique<LinesPart>(context));
     m_parts.push_back(std::make_unique<StarsPart>(context));
     m_parts.push_back(std::make_unique<WakePart>(context, sea));
     m_parts.push_back(std::make_unique<RainPart>(context));

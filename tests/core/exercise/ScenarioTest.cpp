@@ -94,6 +94,33 @@ TEST(Scenario, ShipsThatStartInEachOtherAreRefused) {
               "lesson.json: traffic[12] starts in ownShips[0], expected ships apart");
 }
 
+TEST(Scenario, ATargetDoesWhatItSaysOrWhatIsUsual) {
+    const auto activityOf = [](const std::string& text, const std::string& id) {
+        const auto world = test::worldOf(text);
+        for (const TargetLayout& t : world->targets)
+            if (t.id == id) return std::string(activityName(t.activity));
+        return std::string();
+    };
+    EXPECT_EQ(activityOf(lessonWith("/traffic/0/activity", "\"towing\""), "coaster"), "towing");
+    EXPECT_EQ(activityOf(lessonWith("/traffic/0/activity", ""), "coaster"), "underWay");
+    EXPECT_EQ(activityOf(lessonWith("/traffic/6/activity", ""), "yacht-1"), "sailing");
+    EXPECT_EQ(activityOf(lessonWith("/traffic/6/activity", "\"underWay\""), "yacht-1"), "underWay");
+    EXPECT_EQ(activityOf(lessonWith("/traffic/3/activity", ""), "fishing-3"), "anchored");
+    EXPECT_EQ(activityOf(lessonWith("/traffic/3/activity", "\"moored\""), "fishing-3"), "moored");
+}
+
+TEST(Scenario, AnActivityThatDoesNotExistOrNeedsALyingVesselIsRefused) {
+    EXPECT_EQ(
+        problemsOf(lessonWith("/traffic/1/activity", "\"drifting\"")),
+        "lesson.json: traffic[1].activity is \"drifting\", expected one of underWay, anchored, fishing, "
+        "trawling, towing, notUnderCommand, restricted, moored, sailing");
+    EXPECT_EQ(
+        problemsOf(lessonWith("/traffic/1/activity", "\"anchored\"")),
+        "lesson.json: traffic[1].activity is \"anchored\", expected that of a vessel under way, for she is "
+        "not lying");
+    EXPECT_NE(problemsOf(lessonWith("/traffic/1/activity", "7")), "");
+}
+
 TEST(Scenario, ProblemsOfItsVesselComeUnderTheVesselsName) {
     auto documents = test::documentsOf(test::lessonText());
     documents.vessels[0].text = test::with(documents.vessels[0].text, "/hull/beam_m", "-3");

@@ -47,5 +47,46 @@ TEST(Snapshot, TargetsRideTheSwellOutsideAndLieStillInside) {
     EXPECT_LT(inside, 0.15);
 }
 
+TEST(Snapshot, ATargetShowsWhatSheIsDoing) {
+    const auto world = test::worldOf(test::lessonWith("/traffic/1/activity", "\"trawling\""));
+    State state = startState(*world, 1);
+    EXPECT_EQ(view(*world, state).targets.at(1).activity, Activity::Trawling);
+    state.targets[1].stopped = true;
+    EXPECT_EQ(view(*world, state).targets.at(1).activity, Activity::NotUnderCommand);
+}
+
+TEST(Snapshot, AnOwnShipIsMooredAnchoredNotUnderCommandOrUnderWay) {
+    const auto world = test::lessonWorld();
+    State state = startState(*world, 1);
+    OwnShipState& ship = state.ships[0];
+    const auto now = [&] { return activityOf(view(*world, state).ships[0]); };
+    ship.steering.jammed = true;
+    EXPECT_EQ(now(), Activity::Moored);  // a fault alongside changes nothing others must know
+    for (LineState& line : ship.lines) line.status = LineStatus::In;
+    EXPECT_EQ(now(), Activity::NotUnderCommand);
+    ship.anchors[0].onBottom = true;
+    ship.anchors[0].cableOut_m = 50.0;
+    EXPECT_EQ(now(), Activity::Anchored);
+    ship.anchors[0] = {};
+    ship.steering.jammed = false;
+    EXPECT_EQ(now(), Activity::UnderWay);
+}
+
+TEST(Snapshot, OnePumpOrOneEngineOfTwoStillLeavesHerUnderCommand) {
+    const auto world = test::lessonWorld();
+    State state = startState(*world, 1);
+    OwnShipState& ship = state.ships[0];
+    const auto unable = [&] { return view(*world, state).ships[0].notUnderCommand; };
+    ship.steering.pumpsFailed = 1;
+    ship.shafts[0].failed = true;
+    EXPECT_FALSE(unable());
+    ship.shafts[1].failed = true;
+    EXPECT_TRUE(unable());
+    ship.shafts[0].failed = false;
+    EXPECT_FALSE(unable());
+    ship.steering.pumpsFailed = 2;
+    EXPECT_TRUE(unable());
+}
+
 }  // namespace
 }  // namespace sagara::core

@@ -48,6 +48,11 @@ TEST(Codec, AFrameKeepsEveryNumberToTheBit) {
     EXPECT_EQ(std::memcmp(&m, &sent, sizeof m), 0);
     EXPECT_EQ(f.snapshot.ships[0].lines[1].status, core::LineStatus::Parted);
     EXPECT_EQ(f.snapshot.ships[0].anchors[0].position, frame.snapshot.ships[0].anchors[0].position);
+    EXPECT_EQ(f.snapshot.ships[0].lines[0].length_m, 31.5);
+    EXPECT_EQ(f.snapshot.ships[0].anchors[0].cableOut_m, 82.3);
+    EXPECT_TRUE(f.snapshot.ships[0].notUnderCommand);
+    EXPECT_EQ(f.snapshot.targets[0].activity, core::Activity::Trawling);
+    EXPECT_EQ(f.snapshot.targets[1].activity, core::Activity::UnderWay);
     EXPECT_EQ(f.snapshot.targets[1].index, 5u);
     EXPECT_EQ(f.snapshot.targets[0].roll_rad, 0.02);
     EXPECT_EQ(f.snapshot.weather.swells, frame.snapshot.weather.swells);
@@ -91,6 +96,14 @@ TEST(Codec, NumbersThatAreNoneOrBeyondReasonAreRefusedByName) {
     EXPECT_EQ(frameWith([&](auto& s) { s.sea.systems[0].peakPeriod_s = 0.0; }),
               "Frame: sea.peakPeriod_s is 0.000000");
     EXPECT_EQ(frameWith([&](auto& s) { s.weather.rain = 1.5; }), "Frame: weather.rain is 1.500000");
+    EXPECT_EQ(frameWith([&](auto& s) { s.targets[0].activity = static_cast<core::Activity>(9); }),
+              "Frame: target.activity is 9");
+    EXPECT_EQ(frameWith([&](auto& s) { s.ships[0].lines[0].length_m = 10'001.0; }),
+              "Frame: line.length_m is 10001.000000");
+    EXPECT_EQ(frameWith([&](auto& s) { s.ships[0].lines[0].length_m = -1.0; }),
+              "Frame: line.length_m is -1.000000");
+    EXPECT_EQ(frameWith([&](auto& s) { s.ships[0].anchors[0].cableOut_m = nan; }),
+              "Frame: anchor.cableOut_m is nan");
     EXPECT_EQ(frameWith([&](auto& s) { s.level = 9; }), "Frame: level is 9");
     EXPECT_EQ(reasonFor(Frame{1, {std::numeric_limits<std::int64_t>::min()}, test::busySnapshot()}),
               "Frame: the time is beyond all exercises");

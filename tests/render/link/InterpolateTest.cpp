@@ -74,6 +74,43 @@ TEST(Interpolate, TargetsAreMatchedByIndexNotByPlace) {
     EXPECT_NEAR(s.targets[0].position.north_m, a.targets[1].position.north_m + 0.5, 1e-9);
 }
 
+TEST(Interpolate, WhatSheIsDoingIsAsTheLaterSays) {
+    core::Snapshot a = under(10), b = under(11);
+    b.targets[0].activity = core::Activity::NotUnderCommand;
+    b.ships[0].notUnderCommand = !a.ships[0].notUnderCommand;
+    const core::Snapshot s = interpolated(a, b, {210'000});
+    EXPECT_EQ(s.targets[0].activity, core::Activity::NotUnderCommand);
+    EXPECT_EQ(s.ships[0].notUnderCommand, b.ships[0].notUnderCommand);
+}
+
+TEST(Interpolate, LinesAndCablesRunOutEvenly) {
+    core::Snapshot a = under(10), b = under(11);
+    core::LineState &before = a.ships[0].lines[0], &after = b.ships[0].lines[0];
+    before = {core::LineStatus::Fast, 30.0, 2000.0};
+    after = {core::LineStatus::Slacking, 31.0, 1000.0};
+    a.ships[0].anchors[0].cableOut_m = 50.0;
+    b.ships[0].anchors[0].cableOut_m = 52.0;
+    b.ships[0].anchors[0].position = a.ships[0].anchors[0].position + core::NorthEast{2.0, 0.0};
+    const core::OwnShipView ship = interpolated(a, b, {210'000}).ships[0];
+    EXPECT_EQ(ship.lines[0].status, core::LineStatus::Slacking);
+    EXPECT_NEAR(ship.lines[0].length_m, 30.5, 1e-9);
+    EXPECT_NEAR(ship.lines[0].tension_N, 1500.0, 1e-9);
+    EXPECT_NEAR(ship.anchors[0].cableOut_m, 51.0, 1e-9);
+    EXPECT_NEAR(ship.anchors[0].position.north_m, a.ships[0].anchors[0].position.north_m + 1.0, 1e-9);
+}
+
+TEST(Interpolate, ALineThatIsCastOffAndAnAnchorThatComesToTheGroundAreNotDrawnOnTheWay) {
+    core::Snapshot a = under(10), b = under(11);
+    a.ships[0].lines[0] = {core::LineStatus::Fast, 30.0, 2000.0};
+    b.ships[0].lines[0] = {core::LineStatus::Parted, 0.0, 0.0};
+    a.ships[0].anchors[0].onBottom = false;
+    a.ships[0].anchors[0].position = {};
+    const core::OwnShipView ship = interpolated(a, b, {210'000}).ships[0];
+    EXPECT_EQ(ship.lines[0].status, core::LineStatus::Parted);
+    EXPECT_EQ(ship.lines[0].length_m, 0.0);
+    EXPECT_EQ(ship.anchors[0].position, b.ships[0].anchors[0].position);
+}
+
 TEST(Interpolate, TheSeaIsNeverMixed) {
     core::Snapshot a = under(10), b = under(11);
     b.sea.systems[0].significantHeight_m = 2.0;

@@ -1,19 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "core/base/Units.h"
 #include "render/scene/light/LightCharacter.h"
-#include "render/scene/light/ShipLights.h"
 #include "render/scene/light/Visibility.h"
 #include "tests/support/exercise/Lesson.h"
 
 namespace sagara::render {
 namespace {
-
-using core::kDegree_rad;
 
 /// Times of lighting within the first `span_s` seconds, a hundredth of a second each.
 std::vector<double> flashes(const LightCharacter& light, double span_s) {
@@ -70,65 +66,6 @@ TEST(LightCharacter, EveryLightOfGalleIsUnderstood) {
         if (!mark.light) continue;
         EXPECT_TRUE(LightCharacter::parse(mark.light->character)) << mark.id;
     }
-}
-
-/// Colours seen from a bearing, one letter a light, sorted.
-std::string seen(const std::vector<ShipLight>& lights, double bearing_deg) {
-    std::string letters;
-    for (const ShipLight& light : lights) {
-        if (light.seenFrom(bearing_deg * kDegree_rad) < 0.99) continue;
-        letters += light.colour[1] < 0.5 ? 'R' : light.colour[0] < 0.5 ? 'G' : 'W';
-    }
-    std::sort(letters.begin(), letters.end());
-    return letters;
-}
-
-TEST(ShipLights, TheLessonsShipIsLongEnoughForTwoMastheadLights) {
-    const ShipForm form = formOf(test::lessonWorld()->ships[0]->vessel);
-    const auto lights = lightsOf(form, ShipActivity::UnderWay);
-    EXPECT_EQ(seen(lights, 40.0), "GWW");
-    EXPECT_EQ(seen(lights, -40.0), "RWW");
-    EXPECT_EQ(seen(lights, 180.0), "W");  // sternlight
-    EXPECT_EQ(seen(lights, 118.0), "W");
-    EXPECT_EQ(seen(lights, 107.0), "GWW");
-    EXPECT_EQ(seen(lightsOf(form, ShipActivity::Anchored), 77.0), "WW");
-    EXPECT_GT(lights[1].position.up, lights[0].position.up + 4.4);
-    EXPECT_LT(lights[1].position.x, lights[0].position.x);
-}
-
-TEST(ShipLights, ASmallCraftHasOneMastheadLightAndASailingYachtNone) {
-    core::TargetLayout boat;
-    boat.length_m = 12.0;
-    EXPECT_EQ(seen(lightsOf(formOf(boat), ShipActivity::UnderWay), 30.0), "GW");
-    boat.type = core::TargetType::Yacht;
-    EXPECT_EQ(seen(lightsOf(formOf(boat), ShipActivity::UnderWay), 30.0), "G");
-}
-
-TEST(ShipLights, StandWhereThePictureHasThem) {
-    ShipForm form = formOf(test::lessonWorld()->ships[0]->vessel);
-    const auto place = [&](core::LightPlace at) -> auto& {
-        return form.lights[static_cast<std::size_t>(at)];
-    };
-    place(core::LightPlace::MastheadForward) = Point{20.0, 0.0, 9.0};
-    place(core::LightPlace::MastheadAft) = Point{-5.0, 0.0, 15.0};
-    place(core::LightPlace::Port) = Point{3.0, -4.0, 6.0};
-    place(core::LightPlace::AnchorForward) = Point{24.0, 0.0, 8.0};
-    const auto lights = lightsOf(form, ShipActivity::UnderWay);
-    EXPECT_EQ(seen(lights, -40.0), "RWW");
-    EXPECT_EQ(lights[0].position.up, 9.0);
-    EXPECT_EQ(lights[1].position.x, -5.0);
-    EXPECT_EQ(lights[2].position.y, -4.0);
-    EXPECT_EQ(lights[3].position.y, 0.5 * form.beam_m);  // not placed: where it usually is
-    EXPECT_EQ(lightsOf(form, ShipActivity::Anchored)[0].position.x, 24.0);
-}
-
-TEST(ShipLights, AYachtWithAMastheadLightIsUnderPower) {
-    core::TargetLayout boat;
-    boat.length_m = 12.0;
-    boat.type = core::TargetType::Yacht;
-    ShipForm form = formOf(boat);
-    form.lights[static_cast<std::size_t>(core::LightPlace::MastheadForward)] = Point{1.0, 0.0, 8.0};
-    EXPECT_EQ(seen(lightsOf(form, ShipActivity::UnderWay), 30.0), "GW");
 }
 
 TEST(Visibility, ALightIsSeenToItsNominalRangeInAClearNightAndNotBeyond) {

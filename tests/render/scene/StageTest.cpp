@@ -132,11 +132,33 @@ TEST_F(StagePicture, ShowsALightOnlyWhileItIsLit) {
     EXPECT_GT(brightest(period_s + 0.2), brightest(period_s - 1.0) + 15);
 }
 
+TEST_F(StagePicture, LinesAndShapesComeAndGoWithoutATrace) {
+    const auto drawn = [&](core::Activity activity, bool onLines) {
+        Moment m = moment();
+        OwnShipPose& own = m.ships[0];
+        own.activity = activity;
+        if (!onLines) own.lines.clear();
+        const core::HeadingFrame deck(own.position, own.heading_rad);
+        const auto view = s_stage->addViewport(kWidth, kHeight);
+        view->setCamera(shoreCamera(deck.point({50.0, -16.0}), 7.0, deck.point({16.0, 0.0}), 3.0,
+                                    Lens::symmetric(1.0, kWidth, kHeight)));
+        EXPECT_FALSE(s_stage->draw(m));
+        return view->latest()->bgra;
+    };
+    const auto moored = drawn(core::Activity::Moored, true), bare = drawn(core::Activity::Moored, false),
+               anchored = drawn(core::Activity::Anchored, false);
+    EXPECT_NE(moored, bare) << "no line is seen";
+    EXPECT_NE(anchored, bare) << "no ball is seen";
+    EXPECT_EQ(drawn(core::Activity::Moored, true), moored);
+    EXPECT_EQ(drawn(core::Activity::Moored, false), bare);
+}
+
 TEST(Stage, TellsWhatIsMissingWhenThereIsNoDisplay) {
     unsetenv("DISPLAY");
     const auto stage = Stage::open({SAGARA_ASSETS, Preset::Low, false});
     ASSERT_FALSE(stage);
-    EXPECT_EQ(stage.error(), "There is no X display (DISPLAY is not set).");
+    EXPECT_EQ(stage.error(),
+              "There is no X display (DISPLAY is not set): start it in a desktop, or without a window.");
 }
 
 TEST_F(StagePicture, FollowsTheSizeOfItsViewport) {

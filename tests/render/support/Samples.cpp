@@ -20,8 +20,9 @@ core::Snapshot busySnapshot(std::int64_t tick) {
     ship.anchors = {anchor, {}};
     ship.underKeel_m = 4.5;
     ship.aground = true;
+    ship.notUnderCommand = true;
     s.ships = {ship};
-    s.targets = {{2, {100.0, 200.0}, 0.1, 0.02, 0.03, 1.5, 7.0, 0.01},
+    s.targets = {{2, {100.0, 200.0}, 0.1, 0.02, 0.03, 1.5, 7.0, 0.01, core::Activity::Trawling},
                  {5, {-100.0, 20.0}, 0, 0, 0, 4.0, 3.0, 0}};
     s.weather.wind = {8.5, 0.8, 0.12};
     s.weather.exposure = core::Exposure::Ocean;
