@@ -1,11 +1,12 @@
-#include "ui/report/Contours.h"
+#include "ui/chart/Contours.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "ui/report/Polyline.h"
+#include "ui/chart/Polyline.h"
 
-namespace sagara::report {
+namespace sagara::chart {
 namespace {
 
 using core::NorthEast;
@@ -119,6 +120,20 @@ std::vector<Line> Tracer::lines() {
     return all;
 }
 
+/// The grid in a frame of ground so high that every line closes within a hair of the grid's own edge.
+core::Grid framed(const core::Grid& grid) {
+    constexpr float kHigh = -1e6f;
+    const std::size_t columns = grid.columns() + 2;
+    std::vector<float> values(columns * (grid.rows() + 2), kHigh);
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        const auto from = grid.values().begin() + static_cast<std::ptrdiff_t>(row * grid.columns());
+        std::copy(from, from + static_cast<std::ptrdiff_t>(grid.columns()),
+                  values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns + 1));
+    }
+    const NorthEast corner = grid.southWest() - NorthEast{grid.spacing_m(), grid.spacing_m()};
+    return {corner, grid.spacing_m(), grid.rows() + 2, columns, std::move(values)};
+}
+
 }  // namespace
 
 std::vector<Line> contourLines(const core::Grid& grid, double value,
@@ -133,10 +148,10 @@ std::vector<Line> contourLines(const core::Grid& grid, double value,
     return tracer.lines();
 }
 
-std::vector<RunReport::Contour> contoursOf(const core::Area& area, std::span<const double> depths_m) {
-    std::vector<RunReport::Contour> contours;
+std::vector<Contour> contoursOf(const core::Area& area, std::span<const double> depths_m) {
+    std::vector<Contour> contours;
     for (const double depth_m : depths_m) {
-        RunReport::Contour contour{depth_m, {}};
+        Contour contour{depth_m, {}};
         for (std::size_t i = 0; i < area.depths.size(); ++i) {
             const auto inFiner = [&](NorthEast p) {
                 for (std::size_t finer = 0; finer < i; ++finer) {
@@ -153,4 +168,8 @@ std::vector<RunReport::Contour> contoursOf(const core::Area& area, std::span<con
     return contours;
 }
 
-}  // namespace sagara::report
+std::vector<Line> deeperThan(const core::Grid& grid, double value) {
+    return contourLines(framed(grid), value);
+}
+
+}  // namespace sagara::chart

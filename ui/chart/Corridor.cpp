@@ -1,9 +1,9 @@
-#include "ui/report/Corridor.h"
+#include "ui/chart/Corridor.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace sagara::report {
+namespace sagara::chart {
 namespace {
 
 using core::NorthEast;
@@ -23,12 +23,12 @@ struct Leg {
     double port_m, starboard_m;
 };
 
-std::vector<Leg> legsOf(const RunReport& report) {
+std::vector<Leg> legsOf(const core::Route& route, const core::RoutePath& path) {
     std::vector<Leg> legs;
-    if (report.path.length_m() <= 0.0) return legs;
-    for (std::size_t i = 1; i < report.route.waypoints.size(); ++i) {
-        const core::Route::Waypoint& w = report.route.waypoints[i];
-        const Leg leg{report.path.alongOf(i - 1), report.path.alongOf(i), w.portLimit_m, w.starboardLimit_m};
+    if (path.length_m() <= 0.0) return legs;
+    for (std::size_t i = 1; i < route.waypoints.size(); ++i) {
+        const core::Route::Waypoint& w = route.waypoints[i];
+        const Leg leg{path.alongOf(i - 1), path.alongOf(i), w.portLimit_m, w.starboardLimit_m};
         if (leg.to_m > leg.from_m) legs.push_back(leg);
     }
     return legs;
@@ -50,31 +50,33 @@ bool insideBand(const core::RoutePath& path, NorthEast p, double along_m, double
 
 }  // namespace
 
-std::vector<CorridorPiece> corridorPieces(const RunReport& report, double step_m) {
+std::vector<CorridorPiece> corridorPieces(const core::Route& route, const core::RoutePath& path,
+                                          double step_m) {
     std::vector<CorridorPiece> pieces;
-    for (const Leg& leg : legsOf(report)) {
+    for (const Leg& leg : legsOf(route, path)) {
         if (leg.port_m <= 0.0 && leg.starboard_m <= 0.0) continue;
         const std::size_t steps = stepsIn(leg.to_m - leg.from_m, step_m);
         const double each_m = (leg.to_m - leg.from_m) / static_cast<double>(steps);
         for (std::size_t k = 0; k < steps; ++k) {
             const double from_m = leg.from_m + each_m * static_cast<double>(k);
-            pieces.push_back(pieceBetween(report.path, leg, from_m, from_m + each_m));
+            pieces.push_back(pieceBetween(path, leg, from_m, from_m + each_m));
         }
     }
     return pieces;
 }
 
-std::vector<std::vector<NorthEast>> corridorEdge(const RunReport& report, double side, double step_m) {
+std::vector<std::vector<NorthEast>> corridorEdge(const core::Route& route, const core::RoutePath& path,
+                                                 double side, double step_m) {
     std::vector<std::vector<NorthEast>> lines;
-    for (const Leg& leg : legsOf(report)) {
+    for (const Leg& leg : legsOf(route, path)) {
         const double limit_m = side < 0.0 ? leg.port_m : leg.starboard_m;
         const std::size_t steps = stepsIn(leg.to_m - leg.from_m, step_m);
         lines.emplace_back();
         for (std::size_t k = 0; k <= steps && limit_m > 0.0; ++k) {
             const double along_m =
                 leg.from_m + (leg.to_m - leg.from_m) * static_cast<double>(k) / static_cast<double>(steps);
-            const NorthEast p = beside(report.path.at(along_m), report.path.pointAt(along_m), side * limit_m);
-            if (insideBand(report.path, p, along_m, limit_m)) {
+            const NorthEast p = beside(path.at(along_m), path.pointAt(along_m), side * limit_m);
+            if (insideBand(path, p, along_m, limit_m)) {
                 lines.emplace_back();
             } else {
                 lines.back().push_back(p);
@@ -95,4 +97,4 @@ std::vector<NorthEast> pathLine(const core::RoutePath& path, double step_m) {
     return line;
 }
 
-}  // namespace sagara::report
+}  // namespace sagara::chart

@@ -5,9 +5,14 @@
 #include <vector>
 
 #include "core/world/Area.h"
-#include "ui/report/ReportData.h"
 
-namespace sagara::report {
+namespace sagara::chart {
+
+/// All lines of one depth, below chart datum.
+struct Contour {
+    double depth_m = 0.0;
+    std::vector<std::vector<core::NorthEast>> lines;
+};
 
 /// Lines of equal value of a grid: marching squares with linear interpolation on the cell edges, joined and
 /// lightly simplified (to a twentieth of the spacing). A closed line repeats its first point at its end. A
@@ -16,6 +21,10 @@ std::vector<std::vector<core::NorthEast>> contourLines(const core::Grid& grid, d
                                                        const std::function<bool(core::NorthEast)>& skip = {});
 
 /// Depth contours of an area from its finest grid at each place. Depths with no line anywhere are left out.
-std::vector<RunReport::Contour> contoursOf(const core::Area& area, std::span<const double> depths_m);
+std::vector<Contour> contoursOf(const core::Area& area, std::span<const double> depths_m);
 
-}  // namespace sagara::report
+/// The part of a grid that is at least so deep, as closed rings: filled by the odd-even rule they give it,
+/// holes and all. Where it reaches the edge of the grid the rings run along that edge.
+std::vector<std::vector<core::NorthEast>> deeperThan(const core::Grid& grid, double value);
+
+}  // namespace sagara::chart

@@ -1,13 +1,12 @@
-#include "ui/report/LabelField.h"
+#include "ui/chart/LabelField.h"
 
 #include <algorithm>
 #include <array>
 
-namespace sagara::report {
+namespace sagara::chart {
 namespace {
 
-constexpr double kStep_mm = 1.5;
-constexpr double kPerLinePoint = 2.0;  ///< as bad as so many mm of distance
+constexpr double kPerLinePoint = 4.0 / 3.0;  ///< as bad as so many steps of distance
 
 /// Directions on the side of a square, so that the label never reaches back over its point. The first of
 /// equals wins: to the right, then left, below, above, then the corners and what lies between.
@@ -36,22 +35,22 @@ bool LabelField::isFree(const QRectF& area) const {
                         [&](const QRectF& other) { return other.intersects(area); });
 }
 
-double LabelField::cost(const QRectF& area, double distance_mm) const {
+double LabelField::cost(const QRectF& area, double distance) const {
     const auto covered =
         std::count_if(m_lines.begin(), m_lines.end(), [&](QPointF p) { return area.contains(p); });
-    return distance_mm + kPerLinePoint * static_cast<double>(covered);
+    return distance + kPerLinePoint * m_step * static_cast<double>(covered);
 }
 
-std::optional<QRectF> LabelField::place(QPointF point, QSizeF size, double gap_mm, double reach_mm) {
+std::optional<QRectF> LabelField::place(QPointF point, QSizeF size, double gap, double reach) {
     std::optional<QRectF> best;
     double bestCost = 1e18;
-    for (double away_mm = gap_mm; away_mm <= reach_mm && away_mm < bestCost; away_mm += kStep_mm) {
+    for (double away = gap; away <= reach && away < bestCost; away += m_step) {
         for (const auto& [x, y] : kDirections) {
             QRectF area(QPointF(), size);
             area.moveCenter(point +
-                            QPointF(x * (away_mm + 0.5 * size.width()), y * (away_mm + 0.5 * size.height())));
+                            QPointF(x * (away + 0.5 * size.width()), y * (away + 0.5 * size.height())));
             if (!isFree(area)) continue;
-            const double here = cost(area, away_mm);
+            const double here = cost(area, away);
             if (here >= bestCost) continue;
             bestCost = here;
             best = area;
@@ -61,4 +60,4 @@ std::optional<QRectF> LabelField::place(QPointF point, QSizeF size, double gap_m
     return best;
 }
 
-}  // namespace sagara::report
+}  // namespace sagara::chart

@@ -1,4 +1,4 @@
-#include "ui/report/Contours.h"
+#include "ui/chart/Contours.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,12 @@
 #include <set>
 
 #include "core/base/Random.h"
+#include "core/base/Shapes.h"
 #include "core/base/Units.h"
 #include "tests/support/Assets.h"
-#include "ui/report/Polyline.h"
+#include "ui/chart/Polyline.h"
 
-namespace sagara::report {
+namespace sagara::chart {
 namespace {
 
 using core::NorthEast;
@@ -140,7 +141,7 @@ TEST(Contours, GalleTenMetreLinePassesBetweenNineAndElevenMetres) {
 
 TEST(Contours, EveryPointOfGalleLinesHasItsDepth) {
     const core::Area area = galle();
-    for (const RunReport::Contour& contour : contoursOf(area, std::array{5.0, 15.0})) {
+    for (const Contour& contour : contoursOf(area, std::array{5.0, 15.0})) {
         for (const Line& line : contour.lines) {
             for (const NorthEast p : line) {
                 if (area.isLand(p)) continue;  // steep there, and hidden
@@ -150,6 +151,40 @@ TEST(Contours, EveryPointOfGalleLinesHasItsDepth) {
             }
         }
     }
+}
+
+/// Odd-even: how many rings go round a point.
+bool inside(const std::vector<Line>& rings, NorthEast p) {
+    return std::count_if(rings.begin(), rings.end(), [&](const Line& r) { return core::contains(r, p); }) %
+               2 ==
+           1;
+}
+
+TEST(Contours, RingsHoldWhatIsDeeperAndNothingElse) {
+    core::Random random(11);
+    std::vector<float> values(20 * 30);
+    for (float& v : values) v = static_cast<float>(random.uniform());
+    const core::Grid ground({-40, 70}, 10, 20, 30, values);
+    const auto rings = deeperThan(ground, 0.5);
+    for (const Line& ring : rings) EXPECT_EQ(ring.front(), ring.back());
+    for (std::size_t row = 1; row + 1 < ground.rows(); ++row) {
+        for (std::size_t column = 1; column + 1 < ground.columns(); ++column) {
+            const NorthEast p = ground.node(row, column);
+            if (std::abs(ground.at(p) - 0.5) < 0.1) continue;  // lines are simplified by half a metre
+            EXPECT_EQ(inside(rings, p), ground.at(p) > 0.5) << row << " " << column;
+        }
+    }
+}
+
+TEST(Contours, AGridDeepThroughoutIsOneRingAlongItsEdge) {
+    const core::Grid flat = gridOf({0, 0}, 10, 5, 5, [](NorthEast) { return 7.0; });
+    const auto rings = deeperThan(flat, 5.0);
+    ASSERT_EQ(rings.size(), 1u);
+    for (const NorthEast p : rings[0]) {
+        EXPECT_TRUE(p.north_m > -0.01 && p.north_m < 40.01 && p.east_m > -0.01 && p.east_m < 40.01);
+    }
+    EXPECT_TRUE(inside(rings, {1, 39}));
+    EXPECT_TRUE(deeperThan(flat, 8.0).empty());
 }
 
 TEST(Contours, GalleTakesLessThanAThirdOfASecond) {
@@ -189,4 +224,4 @@ TEST(Polyline, ShortLinesStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace sagara::report
+}  // namespace sagara::chart

@@ -1,10 +1,10 @@
-#include "ui/report/Polyline.h"
+#include "ui/chart/Polyline.h"
 
 #include <utility>
 
 #include "core/base/Shapes.h"
 
-namespace sagara::report {
+namespace sagara::chart {
 namespace {
 
 using core::NorthEast;
@@ -47,4 +47,4 @@ std::vector<NorthEast> simplified(std::span<const NorthEast> line, double tolera
     return kept;
 }
 
-}  // namespace sagara::report
+}  // namespace sagara::chart
