@@ -1,0 +1,79 @@
+#include <QPainterPath>
+#include <cmath>
+
+#include "ui/chart/Format.h"
+#include "ui/chart/Marks.h"
+#include "ui/widgets/AreaLayers.h"
+#include "ui/widgets/AreaTexts.h"
+
+namespace sagara::ui {
+namespace {
+
+constexpr double kMark = 1.25;  ///< height of a symbol, of the letters
+constexpr double kLightsTo = 45000.0, kNamesTo = 14000.0;  ///< denominators up to which they are written
+
+/// A drop that begins at the mark and points to the lower right, as on paper charts.
+void drawFlare(ChartCanvas& canvas, QPointF at, const QColor& colour) {
+    const double long_px = 1.45 * canvas.letter_px, wide_px = 0.42 * canvas.letter_px;
+    QPainterPath drop;
+    drop.cubicTo(0.35 * long_px, -0.1 * wide_px, 0.7 * long_px, -wide_px, long_px, -0.55 * wide_px);
+    drop.cubicTo(1.13 * long_px, -0.3 * wide_px, 1.13 * long_px, 0.3 * wide_px, long_px, 0.55 * wide_px);
+    drop.cubicTo(0.7 * long_px, wide_px, 0.35 * long_px, 0.1 * wide_px, 0.0, 0.0);
+    canvas.painter.save();
+    canvas.painter.translate(at);
+    canvas.painter.rotate(52.0);
+    canvas.painter.setPen(Qt::NoPen);
+    canvas.painter.setBrush(colour);
+    canvas.painter.drawPath(drop);
+    canvas.painter.restore();
+}
+
+QColor flareOf(const ChartPalette& palette, const core::Light& light) {
+    switch (lightColour(light)) {
+        case LightColour::Red:
+            return palette.flareRed;
+        case LightColour::Green:
+            return palette.flareGreen;
+        case LightColour::White:
+            break;
+    }
+    return palette.flareWhite;
+}
+
+}  // namespace
+
+void drawMarks(ChartCanvas& canvas, const PreparedChart& chart) {
+    for (std::size_t i = 0; i < chart.marks.size(); ++i) {
+        const core::Mark& mark = chart.area->marks[i];
+        const QPointF at = canvas.view.toScreen(mark.position);
+        if (!canvas.holds(at)) continue;
+        if (mark.light && canvas.shows(ChartLayer::Lights)) {
+            drawFlare(canvas, at, flareOf(canvas.palette, *mark.light));
+            canvas.labels.block({at, QSizeF(1.1 * canvas.letter_px, 1.3 * canvas.letter_px)});
+        }
+        chart::drawMark(canvas.painter, at, chart.marks[i], kMark * canvas.letter_px, canvas.palette.marks);
+        canvas.blockAround(at, 0.55 * kMark * canvas.letter_px);
+    }
+}
+
+/// Names in italics where the mark is in no open source.
+void labelMarks(ChartCanvas& canvas, const PreparedChart& chart) {
+    for (const core::Mark& mark : chart.area->marks) {
+        const QPointF at = canvas.view.toScreen(mark.position);
+        if (!canvas.frame.contains(at)) continue;
+        const bool light = mark.light && canvas.shows(ChartLayer::Lights);
+        Lettering letters = canvas.letters(0.85, canvas.palette.ink);
+        letters.italic = mark.fictional;
+        const bool major = mark.kind == core::MarkKind::Lighthouse;
+        QStringList lines;
+        if (canvas.denominator <= (major ? 2.0 * kNamesTo : kNamesTo))
+            lines << inTwoLines(plainName(mark.name), letters, 9.0 * canvas.letter_px);
+        if (light && canvas.denominator <= (major ? 3.0 * kLightsTo : kLightsTo))
+            lines << (canvas.denominator <= 2.0 * kNamesTo || major ? lightText(*mark.light)
+                                                                    : lightCharacter(*mark.light));
+        if (!lines.isEmpty())
+            labelNear(canvas, at, 0.75 * kMark * canvas.letter_px, 2.2 * canvas.letter_px, lines, letters);
+    }
+}
+
+}  // namespace sagara::ui
