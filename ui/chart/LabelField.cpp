@@ -35,6 +35,11 @@ bool LabelField::isFree(const QRectF& area) const {
                         [&](const QRectF& other) { return other.intersects(area); });
 }
 
+bool LabelField::isClear(const QRectF& area) const {
+    return isFree(area) &&
+           std::none_of(m_lines.begin(), m_lines.end(), [&](QPointF p) { return area.contains(p); });
+}
+
 double LabelField::cost(const QRectF& area, double distance) const {
     const auto covered =
         std::count_if(m_lines.begin(), m_lines.end(), [&](QPointF p) { return area.contains(p); });

@@ -20,6 +20,10 @@ public:
     /// A point of a line, better not covered.
     void avoid(QPointF point) { m_lines.push_back(point); }
     bool isFree(const QRectF& area) const;
+    /// Free, and over no point of a line.
+    bool isClear(const QRectF& area) const;
+    /// All that is blocked, in the order it came.
+    const std::vector<QRectF>& blocked() const { return m_blocked; }
 
     /// The best place for a label of a size, its nearest side `gap` to `reach` away from a point;
     /// blocked from now on.

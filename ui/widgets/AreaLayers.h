@@ -1,13 +1,17 @@
 #pragma once
 
+#include <vector>
+
 #include "ui/widgets/ChartCanvas.h"
 #include "ui/widgets/PreparedChart.h"
 
-/// Layers of the area itself: they change only with the view. From the bottom up; labels in the order of their
-/// weight.
+/// Layers of the area itself: they change only with the view. From the bottom up; labels in the order of
+/// their weight.
 namespace sagara::ui {
 
 void drawDepthAreas(ChartCanvas& canvas, const PreparedChart& chart);
+/// The edge of what the area knows.
+void drawDepthLimit(ChartCanvas& canvas, const PreparedChart& chart);
 void drawContours(ChartCanvas& canvas, const PreparedChart& chart);
 void drawLand(ChartCanvas& canvas, const PreparedChart& chart);
 void drawGraticule(ChartCanvas& canvas, const PreparedChart& chart);
@@ -20,7 +24,7 @@ void labelPlaces(ChartCanvas& canvas, const PreparedChart& chart);
 void labelContours(ChartCanvas& canvas, const PreparedChart& chart);
 void drawSoundings(ChartCanvas& canvas, const PreparedChart& chart);
 
-/// All of them.
-void drawArea(ChartCanvas& canvas, const PreparedChart& chart);
+/// All of them. Gives the boxes of marks and names, which nothing drawn later should cover.
+std::vector<QRectF> drawArea(ChartCanvas& canvas, const PreparedChart& chart);
 
 }  // namespace sagara::ui

@@ -13,7 +13,7 @@ namespace sagara::ui {
 namespace {
 
 constexpr int kParts = 4;
-constexpr double kLongestBar = 13.0;  ///< of the letters
+constexpr double kLongestBar = 13.0, kArrow = 2.6;  ///< of the letters
 
 Lettering panelLetters(const ChartCanvas& canvas, double size, bool bold = false) {
     return {size * canvas.letter_px, canvas.palette.panelInk, QColor(0, 0, 0, 0), bold, false};
@@ -35,7 +35,8 @@ Bar barFor(const ChartCanvas& canvas) {
     const double part_cables =
         chart::scaleBarPart_cables(canvas.view.toMetres(kLongestBar * canvas.letter_px) / kParts);
     const bool miles = part_cables * kParts >= 10.0;
-    return {canvas.view.toPixels(part_cables * core::kCable_m), miles ? 0.1 * part_cables : part_cables, miles};
+    return {canvas.view.toPixels(part_cables * core::kCable_m), miles ? 0.1 * part_cables : part_cables,
+            miles};
 }
 
 void drawBar(ChartCanvas& canvas, const Bar& bar, QPointF at) {
@@ -47,7 +48,7 @@ void drawBar(ChartCanvas& canvas, const Bar& bar, QPointF at) {
     }
     for (const int i : {0, 2, 4}) {
         QString figure = chart::shortNumber(i * bar.part, 2);
-        if (i == 4) figure += u' ' + (bar.miles ? tr("M") : tr("cables"));
+        if (i == 4) figure += u' ' + (bar.miles ? tr("M") : i * bar.part <= 1.0 ? tr("cable") : tr("cables"));
         const double x = at.x() + i * bar.part_px;
         const double width = textWidth_px(chart::shortNumber(i * bar.part, 2), figures);
         drawText(canvas.painter, {i == 0 ? x : x - 0.5 * width, at.y() + 7.0}, Qt::AlignTop, figure, figures);
@@ -55,18 +56,26 @@ void drawBar(ChartCanvas& canvas, const Bar& bar, QPointF at) {
 }
 
 void drawArrow(ChartCanvas& canvas, QPointF middle, double high_px, double north_rad) {
-    const double h = 0.5 * high_px;
+    const double h = 0.5 * high_px, down = 0.5 * canvas.letter_px;
     canvas.painter.save();
     canvas.painter.translate(middle);
     canvas.painter.rotate(north_rad / core::kDegree_rad);
     canvas.painter.setPen(chartPen(canvas.palette.panelInk, 1.2));
     canvas.painter.setBrush(canvas.palette.panelInk);
-    canvas.painter.drawPolygon(QPolygonF{QPointF(0, -h), QPointF(-0.4 * h, h), QPointF(0, 0.65 * h)});
+    canvas.painter.drawPolygon(
+        QPolygonF{QPointF(0, -h + down), QPointF(-0.4 * h, h + down), QPointF(0, 0.65 * h + down)});
     canvas.painter.setBrush(canvas.palette.panel);
-    canvas.painter.drawPolygon(QPolygonF{QPointF(0, -h), QPointF(0.4 * h, h), QPointF(0, 0.65 * h)});
-    drawText(canvas.painter, {0.0, -h - 0.65 * canvas.letter_px}, Qt::AlignHCenter | Qt::AlignVCenter,
+    canvas.painter.drawPolygon(
+        QPolygonF{QPointF(0, -h + down), QPointF(0.4 * h, h + down), QPointF(0, 0.65 * h + down)});
+    drawText(canvas.painter, {0.0, -h - 0.1 * canvas.letter_px}, Qt::AlignHCenter | Qt::AlignVCenter,
              QStringLiteral("N"), panelLetters(canvas, 1.0, true));
     canvas.painter.restore();
+}
+
+/// 13 786 is read as 13 800: the last figures say nothing about a screen.
+double threeFigures(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+    return unit * std::round(value / unit);
 }
 
 /// Where a line leaves the frame, first by its western or southern end.
@@ -85,19 +94,22 @@ std::optional<QPointF> edgePoint(QPointF from, QPointF to, const QRectF& frame) 
     return from + low * d;
 }
 
+/// At one end of its line, or at the other when there is something already.
 void drawEdgeText(ChartCanvas& canvas, const chart::GridLine& line, const QString& words,
                   const Lettering& letters) {
     const QRectF inner = canvas.frame.adjusted(3.0, 3.0, -3.0, -2.0);
-    const std::optional<QPointF> at =
-        edgePoint(canvas.view.toScreen(line.from), canvas.view.toScreen(line.to), inner);
-    if (!at) return;
-    QRectF box(QPointF(), textSize_px({words}, letters));
-    box.moveCenter(*at);
-    box.moveLeft(std::clamp(box.left(), inner.left(), inner.right() - box.width()));
-    box.moveTop(std::clamp(box.top(), inner.top(), inner.bottom() - box.height()));
-    if (!canvas.labels.isFree(box)) return;
-    canvas.labels.block(box);
-    drawText(canvas.painter, box.center(), Qt::AlignHCenter | Qt::AlignVCenter, words, letters);
+    const QPointF from = canvas.view.toScreen(line.from), to = canvas.view.toScreen(line.to);
+    for (const std::optional<QPointF>& at : {edgePoint(from, to, inner), edgePoint(to, from, inner)}) {
+        if (!at) continue;
+        QRectF box(QPointF(), textSize_px({words}, letters));
+        box.moveCenter(*at);
+        box.moveLeft(std::clamp(box.left(), inner.left(), inner.right() - box.width()));
+        box.moveTop(std::clamp(box.top(), inner.top(), inner.bottom() - box.height()));
+        if (!canvas.labels.isFree(box)) continue;
+        canvas.labels.block(box);
+        drawText(canvas.painter, box.center(), Qt::AlignHCenter | Qt::AlignVCenter, words, letters);
+        return;
+    }
 }
 
 void drawPair(ChartCanvas& canvas, const QRectF& box, const QString& upper, const QString& lower, bool bold) {
@@ -128,26 +140,32 @@ void drawReadout(ChartCanvas& canvas, const QRectF& strip, const ChartReadout& w
     const double third = box.left() + first + second + 2.0 * gap;
     const bool room = box.right() - third > 14.0 * canvas.letter_px;
     const double middleRight = room ? third - gap : box.right();
-    drawPair(canvas, {box.left() + first + gap, box.top(), middleRight - box.left() - first - gap, box.height()},
+    drawPair(canvas,
+             {box.left() + first + gap, box.top(), middleRight - box.left() - first - gap, box.height()},
              words.measured, words.measuredFrom, true);
-    if (room) drawPair(canvas, {third, box.top(), box.right() - third, box.height()}, words.notice, words.source, true);
+    if (room)
+        drawPair(canvas, {third, box.top(), box.right() - third, box.height()}, words.notice, words.source,
+                 true);
+}
+
+QRectF scaleBox(const ChartCanvas& canvas) {
+    const double u = canvas.letter_px;
+    return {8.0, 8.0, (kArrow + kLongestBar + 3.8) * u, 4.3 * u};
 }
 
 void drawScaleBox(ChartCanvas& canvas, const core::LocalFrame& frame, bool headUp) {
     const double u = canvas.letter_px;
     const Bar bar = barFor(canvas);
-    const double arrow = 2.6 * u;
-    const QRectF box(8.0, 8.0, arrow + kLongestBar * u + 3.8 * u, 4.3 * u);
+    const QRectF box = scaleBox(canvas);
     drawPanel(canvas, box);
-    canvas.labels.block(box.adjusted(-2.0, -2.0, 2.0, 2.0));
     const double north_rad = frame.convergence_rad(canvas.view.centre()) - canvas.view.up_rad();
-    drawArrow(canvas, {box.left() + 0.55 * arrow, box.center().y() + 0.35 * u}, 2.2 * u, north_rad);
-    const QPointF at(box.left() + arrow, box.top() + 0.95 * u);
-    drawText(canvas.painter, at, Qt::AlignVCenter, chart::naturalScale(std::round(canvas.denominator)),
+    drawArrow(canvas, {box.left() + 0.55 * kArrow * u, box.center().y()}, 2.2 * u, north_rad);
+    const QPointF at(box.left() + kArrow * u, box.top() + 0.95 * u);
+    drawText(canvas.painter, at, Qt::AlignVCenter, chart::naturalScale(threeFigures(canvas.denominator)),
              panelLetters(canvas, 1.0, true));
-    const QString up = headUp ? tr("head up %1").arg(chart::bearing(-north_rad / core::kDegree_rad) +
-                                                      QStringLiteral("°T"))
-                              : tr("north up");
+    const QString up =
+        headUp ? tr("head up %1").arg(chart::bearing(-north_rad / core::kDegree_rad) + QStringLiteral("°T"))
+               : tr("north up");
     drawText(canvas.painter, {box.right() - 0.8 * u, at.y()}, Qt::AlignRight | Qt::AlignVCenter, up,
              panelLetters(canvas, 0.88));
     drawBar(canvas, bar, {at.x(), box.top() + 2.0 * u});

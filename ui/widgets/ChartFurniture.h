@@ -6,7 +6,8 @@
 #include "ui/widgets/ChartCanvas.h"
 #include "ui/widgets/PreparedChart.h"
 
-/// What lies along the edges of the chart: scale, north, degrees and minutes, and the strip of readings below.
+/// What lies along the edges of the chart: scale, north, degrees and minutes, and the strip of readings
+/// below.
 namespace sagara::ui {
 
 /// Words of the strip, each pair one below the other.
@@ -24,6 +25,8 @@ double readoutHeight_px(double letter_px);
 void drawReadout(ChartCanvas& canvas, const QRectF& strip, const ChartReadout& words);
 
 /// Scale bar in cables or miles, natural scale, an arrow to true north, and what is up.
+/// The place it takes.
+QRectF scaleBox(const ChartCanvas& canvas);
 void drawScaleBox(ChartCanvas& canvas, const core::LocalFrame& frame, bool headUp);
 /// Latitudes and longitudes where the lines of the graticule come to the edge.
 void drawGraticuleTexts(ChartCanvas& canvas, const core::LocalFrame& frame);

@@ -115,7 +115,7 @@ ChartPalette night() {
     p.shoalSounding = rgb(0xa8a785);
     p.graticule = see(0x8b8b68, 45);
     p.ink = rgb(0xa09a6c);
-    p.quiet = rgb(0x8a8660);
+    p.quiet = rgb(0x928e68);
     p.halo = see(0x000000, 190);
     p.place = rgb(0xa877a2);
     p.panel = see(0x060706, 240);

@@ -38,15 +38,27 @@ void ChartPicture::show(const Look& wanted, const ChartTransform& view) {
     m_image.setDevicePixelRatio(look.devicePixelRatio);
     QPainter painter(&m_image);
     painter.setRenderHint(QPainter::Antialiasing);
-    ChartCanvas canvas(painter, m_view, chartPalette(look.palette), look.shown, look.letter_px, look.pixel_mm);
-    drawArea(canvas, *look.chart);
+    ChartCanvas canvas(painter, m_view, chartPalette(look.palette), look.shown, look.letter_px,
+                       look.pixel_mm);
+    m_names = drawArea(canvas, *look.chart);
     ++m_made;
+}
+
+std::vector<QRectF> ChartPicture::names(const ChartTransform& view) const {
+    const QRectF screen(QPointF(), view.size());
+    std::vector<QRectF> seen;
+    for (const QRectF& box : m_names) {
+        const QRectF shifted = box.translated(offset(view));
+        if (shifted.intersects(screen)) seen.push_back(shifted);
+    }
+    return seen;
 }
 
 void ChartPicture::draw(QPainter& painter, const ChartTransform& view) const {
     const QPointF at = offset(view);
     const double ratio = m_look.devicePixelRatio;  // on whole pixels of the device, or it would blur
-    painter.drawImage(QPointF(std::round(ratio * at.x()) / ratio, std::round(ratio * at.y()) / ratio), m_image);
+    painter.drawImage(QPointF(std::round(ratio * at.x()) / ratio, std::round(ratio * at.y()) / ratio),
+                      m_image);
 }
 
 }  // namespace sagara::ui

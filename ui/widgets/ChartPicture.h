@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <memory>
+#include <vector>
 
 #include "ui/widgets/ChartPalette.h"
 #include "ui/widgets/ChartScene.h"
@@ -10,8 +11,8 @@
 
 namespace sagara::ui {
 
-/// A picture of the area, kept until the view needs another. It is larger than the screen, so that small moves
-/// of the chart only shift it.
+/// A picture of the area, kept until the view needs another. It is larger than the screen, so that small
+/// moves of the chart only shift it.
 class ChartPicture {
 public:
     /// All it depends on.
@@ -29,6 +30,8 @@ public:
     void show(const Look& look, const ChartTransform& view);
     /// Draws it where the view has it; after show.
     void draw(QPainter& painter, const ChartTransform& view) const;
+    /// Where marks and names are on the screen; after show.
+    std::vector<QRectF> names(const ChartTransform& view) const;
     /// How many were made since the beginning.
     int made() const { return m_made; }
 
@@ -39,6 +42,7 @@ private:
     Look m_look;
     ChartTransform m_view{{1.0, 1.0}, {}, 1.0};  ///< of the picture, margins included
     QImage m_image;
+    std::vector<QRectF> m_names;  ///< in the picture
     int m_made = 0;
 };
 

@@ -153,12 +153,14 @@ void ChartWidget::shipsChanged() {
 
 // where the view is
 
-void ChartWidget::fitArea() { fitTo(m_look.chart->extent); }
+void ChartWidget::fitArea() {
+    fitTo(m_look.chart->extent);
+    m_whole = true;
+}
 
 void ChartWidget::fitTo(const chart::Extent& extent) {
     const bool followed = m_camera.following();
     m_camera.fit(extent, kFitMargin_px);
-    m_fitted = isVisible();
     afterMoving(followed);
 }
 
@@ -170,12 +172,12 @@ void ChartWidget::centreOn(core::NorthEast p) {
 
 void ChartWidget::zoomIn() {
     m_camera.zoom(view().middle(), kZoomStep);
-    update();
+    afterMoving(following());
 }
 
 void ChartWidget::zoomOut() {
     m_camera.zoom(view().middle(), 1.0 / kZoomStep);
-    update();
+    afterMoving(following());
 }
 
 void ChartWidget::follow(bool on) {
@@ -190,6 +192,7 @@ void ChartWidget::setHeadUp(bool on) {
 }
 
 void ChartWidget::afterMoving(bool followedBefore) {
+    m_whole = false;
     update();
     if (m_camera.following() != followedBefore) Q_EMIT followingChanged(m_camera.following());
 }
@@ -249,6 +252,9 @@ ChartReadout ChartWidget::readout() const {
     if (m_cursor) {
         words.position = positionText(frame(), *m_cursor);
         words.depth = tr("depth: %1").arg(depthText(*m_look.chart, *m_cursor));
+    } else if (ownShip()) {
+        words.position = positionText(frame(), *ownShip());
+        words.depth = tr("position of %1").arg(m_scene.ownShips.front().name);
     } else {
         words.position = QStringLiteral("–");
     }
@@ -290,12 +296,11 @@ void ChartWidget::paintEvent(QPaintEvent*) {
     ChartCanvas canvas(painter, view(), chartPalette(m_look.palette), m_look.shown, m_look.letter_px,
                        m_look.pixel_mm);
     const bool any = m_look.chart->area != nullptr;
-    if (any) {
-        drawScaleBox(canvas, frame(), view().up_rad() != 0.0);
-        if (canvas.shows(ChartLayer::Graticule)) drawGraticuleTexts(canvas, frame());
-    }
-    drawScene(canvas, m_scene);
-    if (any) drawScaleBox(canvas, frame(), view().up_rad() != 0.0);  // nothing may cover it
+    for (const QRectF& name : m_picture.names(view())) canvas.labels.block(name);
+    canvas.labels.block(scaleBox(canvas));
+    if (any && canvas.shows(ChartLayer::Graticule)) drawGraticuleTexts(canvas, frame());
+    drawScene(canvas, m_scene, frame());
+    if (any) drawScaleBox(canvas, frame(), view().up_rad() != 0.0);
     const std::optional<std::size_t> dragged =
         m_gesture == Gesture::Handle ? std::optional(m_handle) : std::nullopt;
     drawHandles(canvas, m_scene, dragged, m_handleFrom);
@@ -312,7 +317,7 @@ void ChartWidget::paintEvent(QPaintEvent*) {
 
 void ChartWidget::resizeEvent(QResizeEvent* event) {
     m_camera.setSize(chartArea().size());
-    if (!m_fitted && !m_camera.following()) fitArea();
+    if (m_whole) fitArea();
     QWidget::resizeEvent(event);
 }
 
@@ -366,7 +371,8 @@ void ChartWidget::mousePressEvent(QMouseEvent* event) {
 
 void ChartWidget::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
-    if (m_gesture == Gesture::Press && std::hypot(at.x() - m_pressedAt.x(), at.y() - m_pressedAt.y()) >= kDragFrom_px) {
+    if (m_gesture == Gesture::Press &&
+        std::hypot(at.x() - m_pressedAt.x(), at.y() - m_pressedAt.y()) >= kDragFrom_px) {
         m_gesture = Gesture::Pan;
         showCursor();
     }
@@ -420,7 +426,7 @@ void ChartWidget::wheelEvent(QWheelEvent* event) {
     m_camera.zoom(event->position(), std::pow(kZoomStep, notches));
     m_cursor = view().toChart(event->position());
     event->accept();
-    update();
+    afterMoving(following());
 }
 
 bool ChartWidget::cancel() {
@@ -463,11 +469,10 @@ void ChartWidget::keyPressEvent(QKeyEvent* event) {
             if (ownShip()) m_camera.follow(true);
             break;
         case Qt::Key_Escape:
-            if (!cancel()) {
-                event->ignore();
-                return;
-            }
-            break;
+            event->setAccepted(cancel());
+            showCursor();
+            update();
+            return;
         default:
             QWidget::keyPressEvent(event);
             return;

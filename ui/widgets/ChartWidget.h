@@ -17,8 +17,9 @@ namespace sagara::ui {
 /// the widget asks nobody and keeps no clock. What is worked out lives in ChartCamera (where the view is),
 /// ChartTools (what is measured) and pickOnChart (what lies where), which need no window.
 ///
-/// Mouse: drag pans, wheel zooms about the cursor, click picks; with a tool chosen the left button measures and
-/// the middle one pans. Keys: arrows pan, + and - zoom, Home goes to the own ship and follows her, Esc cancels.
+/// Mouse: drag pans, wheel zooms about the cursor, click picks; with a tool chosen the left button measures
+/// and the middle one pans. Keys: arrows pan, + and - zoom, Home goes to the own ship and follows her, Esc
+/// cancels.
 class ChartWidget final : public QWidget {
     Q_OBJECT
 public:
@@ -78,8 +79,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     void cursorMoved(core::NorthEast position);
     void picked(const sagara::ui::ChartPick& pick);
-    /// While a handle is dragged, and once when it is let go. A drag that is cancelled gives handleDragged with
-    /// the old position.
+    /// While a handle is dragged, and once when it is let go. A drag that is cancelled gives handleDragged
+    /// with the old position.
     void handleDragged(int id, core::NorthEast position);
     void handleMoved(int id, core::NorthEast position);
     void followingChanged(bool following);
@@ -105,7 +106,8 @@ private:
     std::optional<core::NorthEast> ownShip() const;
     std::optional<std::size_t> handleAt(QPointF at) const;
     void shipsChanged();
-    /// Tells of a follow mode that a drag or key ended.
+    /// After the view was changed by somebody: the chart is no longer fitted; tells when following ended or
+    /// began.
     void afterMoving(bool followedBefore);
     void beginTool(QPointF at);
     double directionNear(QPointF at) const;
@@ -119,7 +121,7 @@ private:
     ChartTools m_tools;
     ChartScene m_scene;
     ChartPicture m_picture;
-    bool m_fitted = false;  ///< the area was fitted to a size of the widget that people see
+    bool m_whole = true;  ///< shows all of the area, and does so when resized, until somebody moves the chart
     Gesture m_gesture = Gesture::None;
     QPointF m_pressedAt;
     QPointF m_lastAt;

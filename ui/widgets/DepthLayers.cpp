@@ -1,6 +1,9 @@
 #include <QPainterPath>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/base/Shapes.h"
 #include "core/base/Units.h"
 #include "ui/chart/Format.h"
 #include "ui/widgets/AreaLayers.h"
@@ -37,7 +40,10 @@ QPainterPath pathOf(const ChartCanvas& canvas, const std::vector<ChartLine>& rin
 }
 
 bool onLand(const ChartCanvas& canvas, const PreparedChart& chart, QPointF p) {
-    return chart.area->isLand(canvas.view.toChart(p));
+    const core::NorthEast place = canvas.view.toChart(p);
+    return chart.area->isLand(place) ||
+           std::any_of(chart.context.begin(), chart.context.end(),
+                       [&](const ChartLine& ring) { return core::contains(ring.points, place); });
 }
 
 /// Along its line, over a gap, never upside down.
@@ -68,17 +74,40 @@ void labelContour(ChartCanvas& canvas, const PreparedChart& chart, const QPolygo
 
 }  // namespace
 
+/// Without smoothing: where two grids meet, smoothed edges would show as a seam. Contours smooth the steps.
 void drawDepthAreas(ChartCanvas& canvas, const PreparedChart& chart) {
     QPainter& painter = canvas.painter;
+    painter.setRenderHint(QPainter::Antialiasing, false);
     for (const PreparedChart::GridAreas& grid : chart.grids) {
-        // no pen and no smoothing: where two grids meet a smoothed edge would show as a seam
-        painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(Qt::NoPen);
         painter.setBrush(canvas.palette.drying);
         painter.drawPolygon(screenRing(canvas.view, grid.border, canvas.clip()));
-        painter.setRenderHint(QPainter::Antialiasing, true);
         for (const auto& depths : grid.depths) {
             painter.fillPath(pathOf(canvas, depths.rings), colourOf(canvas.palette, depths.shade));
+        }
+    }
+    painter.setRenderHint(QPainter::Antialiasing, true);
+}
+
+void drawDepthLimit(ChartCanvas& canvas, const PreparedChart& chart) {
+    if (chart.grids.empty()) return;
+    const auto& border = chart.grids.front().border;
+    const Lettering letters = canvas.letters(0.82, canvas.palette.quiet);
+    for (std::size_t i = 0; i < border.size(); ++i) {
+        const std::array<core::NorthEast, 2> side{border[i], border[(i + 1) % border.size()]};
+        canvas.painter.setPen(dashedChartPen(canvas.palette.quiet, 1.0, 8.0, 5.0));
+        for (const QPolygonF& piece : screenPieces(canvas.view, side, canvas.clip()))
+            canvas.painter.drawPolyline(piece);
+        const core::NorthEast outward =
+            core::unitVector(core::bearing_rad(side[0], side[1]) - 0.5 * core::kPi);
+        if (i % 2 == 1) continue;  // beside the western and the eastern side there is room for words
+        for (const double part : {0.35, 0.15, 0.6, 0.85}) {
+            const core::NorthEast p =
+                side[0] + part * (side[1] - side[0]) + canvas.view.toMetres(10.0) * outward;
+            const QPointF at = canvas.view.toScreen(p);
+            if (!canvas.frame.contains(at) || onLand(canvas, chart, at)) continue;
+            labelNear(canvas, at, 2.0, 3.0 * canvas.letter_px, {tr("no depths beyond")}, letters);
+            break;
         }
     }
 }

@@ -1,5 +1,3 @@
-#include <QPainterPath>
-
 #include "ui/chart/Graticule.h"
 #include "ui/widgets/AreaLayers.h"
 #include "ui/widgets/GraticuleStep.h"
@@ -8,29 +6,36 @@
 namespace sagara::ui {
 namespace {
 
-void drawRings(ChartCanvas& canvas, const std::vector<ChartLine>& rings, const QPen& outline) {
+void fillRings(ChartCanvas& canvas, const std::vector<ChartLine>& rings) {
     const chart::Extent shown = canvas.view.extent();
+    canvas.painter.setPen(Qt::NoPen);
+    canvas.painter.setBrush(canvas.palette.land);
     for (const ChartLine& ring : rings) {
-        if (!meets(ring.box, shown)) continue;
-        const QPolygonF polygon = screenRing(canvas.view, ring.points, canvas.clip());
-        canvas.painter.setPen(outline);
-        canvas.painter.setBrush(canvas.palette.land);
-        canvas.painter.drawPolygon(polygon);
+        if (meets(ring.box, shown))
+            canvas.painter.drawPolygon(screenRing(canvas.view, ring.points, canvas.clip()));
+    }
+}
+
+void drawShore(ChartCanvas& canvas, const std::vector<ChartLine>& lines, const QPen& pen) {
+    const chart::Extent shown = canvas.view.extent();
+    canvas.painter.setBrush(Qt::NoBrush);
+    canvas.painter.setPen(pen);
+    for (const ChartLine& line : lines) {
+        if (!meets(line.box, shown)) continue;
+        for (const QPolygonF& piece : screenPieces(canvas.view, line.points, canvas.clip()))
+            canvas.painter.drawPolyline(piece);
     }
 }
 
 }  // namespace
 
-/// The coarse land far out first: where the fine one is, it covers it.
+/// The coarse land far out first: where the fine one is, it covers it. Only shore has a line: where a ring is
+/// cut off at the edge of the area there is none.
 void drawLand(ChartCanvas& canvas, const PreparedChart& chart) {
-    drawRings(canvas, chart.context, QPen(Qt::NoPen));
-    drawRings(canvas, chart.land, chartPen(canvas.palette.shore, 1.2));
-    canvas.painter.setBrush(Qt::NoBrush);
-    canvas.painter.setPen(chartPen(canvas.palette.quay, 1.8));
-    for (const ChartLine& shore : chart.shores) {
-        for (const QPolygonF& piece : screenPieces(canvas.view, shore.points, canvas.clip()))
-            canvas.painter.drawPolyline(piece);
-    }
+    fillRings(canvas, chart.context);
+    fillRings(canvas, chart.land);
+    drawShore(canvas, chart.coast, chartPen(canvas.palette.shore, 1.3));
+    drawShore(canvas, chart.stone, chartPen(canvas.palette.quay, 1.8));
 }
 
 void drawGraticule(ChartCanvas& canvas, const PreparedChart& chart) {

@@ -9,8 +9,12 @@
 namespace sagara::ui {
 namespace {
 
-constexpr double kMark = 1.25;  ///< height of a symbol, of the letters
-constexpr double kLightsTo = 45000.0, kNamesTo = 14000.0;  ///< denominators up to which they are written
+/// Height of a symbol in pixels: smaller on a chart of small scale, where they would be all there is.
+double mark_px(const ChartCanvas& canvas) {
+    const double part = canvas.denominator <= 20000.0 ? 1.25 : canvas.denominator <= 40000.0 ? 1.05 : 0.8;
+    return part * canvas.letter_px;
+}
+constexpr double kLightsTo = 30000.0, kNamesTo = 14000.0;  ///< denominators up to which they are written
 
 /// A drop that begins at the mark and points to the lower right, as on paper charts.
 void drawFlare(ChartCanvas& canvas, QPointF at, const QColor& colour) {
@@ -47,12 +51,13 @@ void drawMarks(ChartCanvas& canvas, const PreparedChart& chart) {
         const core::Mark& mark = chart.area->marks[i];
         const QPointF at = canvas.view.toScreen(mark.position);
         if (!canvas.holds(at)) continue;
-        if (mark.light && canvas.shows(ChartLayer::Lights)) {
+        const bool major = mark.kind == core::MarkKind::Lighthouse;
+        if (mark.light && canvas.shows(ChartLayer::Lights) && (major || canvas.denominator <= kLightsTo)) {
             drawFlare(canvas, at, flareOf(canvas.palette, *mark.light));
             canvas.labels.block({at, QSizeF(1.1 * canvas.letter_px, 1.3 * canvas.letter_px)});
         }
-        chart::drawMark(canvas.painter, at, chart.marks[i], kMark * canvas.letter_px, canvas.palette.marks);
-        canvas.blockAround(at, 0.55 * kMark * canvas.letter_px);
+        chart::drawMark(canvas.painter, at, chart.marks[i], mark_px(canvas), canvas.palette.marks);
+        canvas.blockAround(at, 0.55 * mark_px(canvas));
     }
 }
 
@@ -72,7 +77,7 @@ void labelMarks(ChartCanvas& canvas, const PreparedChart& chart) {
             lines << (canvas.denominator <= 2.0 * kNamesTo || major ? lightText(*mark.light)
                                                                     : lightCharacter(*mark.light));
         if (!lines.isEmpty())
-            labelNear(canvas, at, 0.75 * kMark * canvas.letter_px, 2.2 * canvas.letter_px, lines, letters);
+            labelNear(canvas, at, 0.75 * mark_px(canvas), 2.2 * canvas.letter_px, lines, letters);
     }
 }
 

@@ -100,7 +100,9 @@ void labelBerths(ChartCanvas& canvas, const PreparedChart& chart) {
         if (std::abs(turned_deg) > 90.0) turned_deg += 180.0;
         const QRectF box(QPointF(), textSize_px({name}, letters));
         const QTransform turn = QTransform().translate(at.x(), at.y()).rotate(turned_deg);
-        canvas.labels.block(turn.mapRect(box.translated(-box.center())));
+        const QRectF turned = turn.mapRect(box.translated(-box.center()));
+        if (!canvas.labels.isFree(turned)) continue;
+        canvas.labels.block(turned);
         drawText(canvas.painter, at, Qt::AlignHCenter | Qt::AlignVCenter, name, letters, turned_deg);
     }
 }

@@ -24,8 +24,8 @@ struct Step {
     Shade shade;
 };
 
-/// Where the shades change: at the datum, the deepest contour short of the safety depth, the safety depth, and
-/// the first contour at least twice as deep.
+/// Where the shades change: at the datum, the deepest contour short of the safety depth, the safety depth,
+/// and the first contour at least twice as deep.
 std::vector<Step> shadesFor(double safety_m) {
     std::vector<Step> steps{{0.0, Shade::Shallow}};
     for (const double depth_m : kContours_m) {
@@ -44,8 +44,7 @@ PreparedChart::GridAreas areasOf(const core::Grid& grid, double safety_m) {
     PreparedChart::GridAreas made;
     made.border = {grid.node(0, 0), grid.node(top, 0), grid.node(top, right), grid.node(0, right)};
     for (const Step& step : shadesFor(safety_m)) {
-        made.depths.push_back(
-            {step.from_m, step.shade, chartLines(chart::deeperThan(grid, step.from_m))});
+        made.depths.push_back({step.from_m, step.shade, chartLines(chart::deeperThan(grid, step.from_m))});
     }
     return made;
 }
@@ -65,7 +64,7 @@ void addShores(PreparedChart& chart) {
     for (const core::ShoreLine& line : chart.area->shore.lines()) {
         const bool stone = line.kind == core::ShoreKind::Quay || line.kind == core::ShoreKind::Jetty ||
                            line.kind == core::ShoreKind::Breakwater;
-        if (stone && line.points.size() > 1) chart.shores.emplace_back(line.points);
+        if (line.points.size() > 1) (stone ? chart.stone : chart.coast).emplace_back(line.points);
     }
 }
 
@@ -104,7 +103,8 @@ std::shared_ptr<const PreparedChart> prepareChart(std::shared_ptr<const core::Ar
     made->context = chartLines(from.context);
     made->land = chartLines(from.land);
     addShores(*made);
-    for (const core::Mark& mark : from.marks) made->marks.push_back(chart::chartMarkOf(mark, from.ialaRegion));
+    for (const core::Mark& mark : from.marks)
+        made->marks.push_back(chart::chartMarkOf(mark, from.ialaRegion));
     findExtent(*made);
     return made;
 }

@@ -42,7 +42,8 @@ struct PreparedChart {
     std::vector<Contour> contours;  ///< the safety contour last
     std::vector<ChartLine> context;
     std::vector<ChartLine> land;
-    std::vector<ChartLine> shores;  ///< of stone: quays, jetties, breakwaters
+    std::vector<ChartLine> coast;  ///< beaches, rocks: where the ring of the land is shore
+    std::vector<ChartLine> stone;  ///< quays, jetties, breakwaters
     std::vector<chart::ChartMark> marks;
     chart::Extent extent;  ///< of the depths, or of whatever there is
 

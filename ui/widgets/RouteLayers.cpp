@@ -1,10 +1,12 @@
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "core/base/Angle.h"
+#include "core/base/Units.h"
 #include "ui/chart/Corridor.h"
 #include "ui/chart/Format.h"
+#include "ui/widgets/ChartTexts.h"
 #include "ui/widgets/SceneLayers.h"
 #include "ui/widgets/ScreenLines.h"
 
@@ -12,6 +14,7 @@ namespace sagara::ui {
 namespace {
 
 constexpr double kStep_px = 9.0;
+constexpr double kNamesTo = 26000.0;  ///< denominator up to which waypoints are named, not only numbered
 
 /// All pieces as one shape, filled once, so that the band is equally pale where pieces overlap. Every piece
 /// runs the same way round; in a bend tighter than its limit some would otherwise cut holes.
@@ -39,27 +42,31 @@ void drawLine(ChartCanvas& canvas, std::span<const core::NorthEast> line) {
 
 double waypoint_px(const ChartCanvas& canvas) { return 0.42 * canvas.letter_px; }
 
-/// "183° 0.41 M" beside the middle of a leg that is long enough for it.
-void labelLeg(ChartCanvas& canvas, core::NorthEast from, core::NorthEast to) {
+/// "183° 0.41 M" beside a leg that is long enough for it, on the side where nothing is.
+void labelLeg(ChartCanvas& canvas, const core::LocalFrame& frame, core::NorthEast from, core::NorthEast to) {
     const QPointF a = canvas.view.toScreen(from), b = canvas.view.toScreen(to), along = b - a;
     const double length_px = std::hypot(along.x(), along.y());
     const Lettering letters = canvas.letters(0.82, canvas.palette.route);
-    const QString words =
-        QStringLiteral("%1°T %2 M").arg(chart::bearing(core::bearing_rad(from, to) / core::kDegree_rad),
-                                        chart::number(core::distance(from, to) / core::kNauticalMile_m, 2));
+    const RangeBearing leg = measure(frame, from, to);
+    const QString words = tr("%1 %2 M").arg(bearingText(leg.bearing_rad),
+                                            chart::number(leg.distance_m / core::kNauticalMile_m, 2));
     const double width_px = textWidth_px(words, letters);
     if (length_px < width_px + 3.0 * canvas.letter_px) return;
     double turned_deg = std::atan2(along.y(), along.x()) / core::kDegree_rad;
     if (std::abs(turned_deg) > 90.0) turned_deg += 180.0;
     const double turned_rad = turned_deg * core::kDegree_rad;
-    const QPointF above = 0.75 * canvas.letter_px * QPointF(std::sin(turned_rad), -std::cos(turned_rad));
-    const QPointF at = 0.5 * (a + b) + above;
-    const QTransform turn = QTransform().translate(at.x(), at.y()).rotate(turned_deg);
-    const QRectF box =
-        turn.mapRect(QRectF(-0.5 * width_px, -0.5 * letters.size_px, width_px, letters.size_px));
-    if (!canvas.labels.isFree(box)) return;
-    canvas.labels.block(box);
-    drawText(canvas.painter, at, Qt::AlignHCenter | Qt::AlignVCenter, words, letters, turned_deg);
+    const QPointF beside = 1.1 * canvas.letter_px * QPointF(std::sin(turned_rad), -std::cos(turned_rad));
+    for (const auto& [part, side] : std::array<std::array<double, 2>, 6>{
+             {{0.5, 1.0}, {0.5, -1.0}, {0.35, 1.0}, {0.35, -1.0}, {0.65, 1.0}, {0.65, -1.0}}}) {
+        const QPointF at = a + part * along + side * beside;
+        const QTransform turn = QTransform().translate(at.x(), at.y()).rotate(turned_deg);
+        const QRectF box =
+            turn.mapRect(QRectF(-0.5 * width_px, -0.5 * letters.size_px, width_px, letters.size_px));
+        if (!canvas.frame.contains(at) || !canvas.labels.isClear(box)) continue;
+        canvas.labels.block(box);
+        drawText(canvas.painter, at, Qt::AlignHCenter | Qt::AlignVCenter, words, letters, turned_deg);
+        return;
+    }
 }
 
 QString waypointText(std::size_t i, const core::Route::Waypoint& waypoint) {
@@ -92,7 +99,7 @@ void drawRoute(ChartCanvas& canvas, const ChartScene& scene) {
     }
 }
 
-void labelRoute(ChartCanvas& canvas, const ChartScene& scene) {
+void labelRoute(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame) {
     const auto& waypoints = scene.route.waypoints;
     Lettering letters = canvas.letters(0.88, canvas.palette.route);
     letters.bold = true;
@@ -100,11 +107,13 @@ void labelRoute(ChartCanvas& canvas, const ChartScene& scene) {
         const QPointF at = canvas.view.toScreen(waypoints[i].position);
         if (!canvas.frame.contains(at)) continue;
         const double gap = waypoint_px(canvas) + 0.25 * canvas.letter_px;
-        if (!labelNear(canvas, at, gap, 2.0 * canvas.letter_px, {waypointText(i, waypoints[i])}, letters))
-            labelNear(canvas, at, gap, 3.0 * canvas.letter_px, {QString::number(i + 1)}, letters);
+        const bool named =
+            canvas.denominator <= kNamesTo &&
+            labelNear(canvas, at, gap, 2.0 * canvas.letter_px, {waypointText(i, waypoints[i])}, letters);
+        if (!named) labelNear(canvas, at, gap, 3.0 * canvas.letter_px, {QString::number(i + 1)}, letters);
     }
     for (std::size_t i = 1; i < waypoints.size(); ++i)
-        labelLeg(canvas, waypoints[i - 1].position, waypoints[i].position);
+        labelLeg(canvas, frame, waypoints[i - 1].position, waypoints[i].position);
 }
 
 }  // namespace sagara::ui

@@ -2,7 +2,7 @@
 
 namespace sagara::ui {
 
-void drawScene(ChartCanvas& canvas, const ChartScene& scene) {
+void drawScene(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame) {
     if (canvas.shows(ChartLayer::Zones)) drawZones(canvas, scene);
     if (canvas.shows(ChartLayer::SafetyLimits)) drawSafetyLimits(canvas, scene);
     if (canvas.shows(ChartLayer::Route)) drawRoute(canvas, scene);
@@ -13,7 +13,7 @@ void drawScene(ChartCanvas& canvas, const ChartScene& scene) {
     if (canvas.shows(ChartLayer::OwnShips)) drawOwnShips(canvas, scene);
 
     if (canvas.shows(ChartLayer::Names)) labelShips(canvas, scene);
-    if (canvas.shows(ChartLayer::Route)) labelRoute(canvas, scene);
+    if (canvas.shows(ChartLayer::Route)) labelRoute(canvas, scene, frame);
     if (canvas.shows(ChartLayer::Anchors)) labelAnchors(canvas, scene);
     if (canvas.shows(ChartLayer::Zones)) labelZones(canvas, scene);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/LocalFrame.h"
 #include "ui/widgets/ChartCanvas.h"
 #include "ui/widgets/ChartScene.h"
 
@@ -17,11 +18,11 @@ void drawTargets(ChartCanvas& canvas, const ChartScene& scene);
 void drawOwnShips(ChartCanvas& canvas, const ChartScene& scene);
 
 void labelShips(ChartCanvas& canvas, const ChartScene& scene);
-void labelRoute(ChartCanvas& canvas, const ChartScene& scene);
+void labelRoute(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame);
 void labelAnchors(ChartCanvas& canvas, const ChartScene& scene);
 void labelZones(ChartCanvas& canvas, const ChartScene& scene);
 
-/// All that the canvas shows.
-void drawScene(ChartCanvas& canvas, const ChartScene& scene);
+/// All that the canvas shows. `frame`: for true courses.
+void drawScene(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame);
 
 }  // namespace sagara::ui

@@ -11,8 +11,7 @@ constexpr double kStill_mps = 0.05;  ///< slower than this has no vector
 
 QPolygonF outlineOnScreen(const ChartCanvas& canvas, const ChartShip& ship) {
     QPolygonF polygon;
-    for (const core::NorthEast p :
-         shipOutline(ship.position, ship.heading_rad, ship.length_m, ship.beam_m))
+    for (const core::NorthEast p : shipOutline(ship.position, ship.heading_rad, ship.length_m, ship.beam_m))
         polygon << canvas.view.toScreen(p);
     return polygon;
 }
@@ -33,6 +32,8 @@ void drawVector(ChartCanvas& canvas, const ChartShip& ship, double minutes, cons
     const QPointF along = to - from;
     const double length_px = std::hypot(along.x(), along.y());
     if (length_px < 1.0) return;
+    for (double way = 10.0; way < std::min(length_px, 300.0); way += 12.0)
+        canvas.labels.avoid(from + (way / length_px) * along);
     const QPointF across = 3.5 / length_px * QPointF(-along.y(), along.x());
     QPen solid = pen;
     solid.setStyle(Qt::SolidLine);
@@ -111,8 +112,8 @@ void labelShip(ChartCanvas& canvas, const ChartShip& ship, const QColor& colour,
     if (!canvas.frame.contains(at)) return;
     Lettering letters = canvas.letters(0.92, colour);
     letters.bold = bold;
-    labelNear(canvas, at, half_px(canvas, ship) + 0.2 * canvas.letter_px, 2.5 * canvas.letter_px,
-              {ship.name}, letters);
+    labelNear(canvas, at, half_px(canvas, ship) + 0.2 * canvas.letter_px, 2.5 * canvas.letter_px, {ship.name},
+              letters);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ public:
     /// The middle of the figures is where the depth is.
     void draw(core::NorthEast p) {
         const double depth_m = m_chart.area->depth_m(p);
-        if (depth_m < 0.0) return;
+        if (depth_m < 0.0 || m_chart.area->isLand(p)) return;
         const Sounding sounding = soundingOf(depth_m);
         const QPointF at = m_canvas.view.toScreen(p);
         const double main = m_bigMetrics.horizontalAdvance(sounding.metres);
@@ -64,7 +64,8 @@ private:
     bool allWater(const QRectF& box) const {
         for (const QPointF corner : {box.topLeft(), box.topRight(), box.bottomLeft(), box.bottomRight()}) {
             const core::NorthEast p = m_canvas.view.toChart(corner);
-            if (!m_chart.hasDepth(p) || m_chart.area->depth_m(p) <= 0.0) return false;
+            if (!m_chart.hasDepth(p) || m_chart.area->depth_m(p) <= 0.0 || m_chart.area->isLand(p))
+                return false;
         }
         return true;
     }

@@ -52,8 +52,8 @@ void drawTicks(ChartCanvas& canvas, const ChartTrack& track, double clockAtZero_
         drawTick(canvas, canvas.view.toScreen(track.points[i - 1].position), to,
                  fifth ? 1.6 * kTick_px : kTick_px);
         if (fifth)
-            labelNear(canvas, to, 0.6 * canvas.letter_px, 1.5 * canvas.letter_px,
-                      {clockText(now * step_s)}, letters);
+            labelNear(canvas, to, 0.6 * canvas.letter_px, 1.5 * canvas.letter_px, {clockText(now * step_s)},
+                      letters);
     }
 }
 
@@ -73,7 +73,12 @@ void drawTrack(ChartCanvas& canvas, const ChartTrack& track) {
     for (const QPolygonF& piece : screenPieces(canvas.view, line, canvas.clip())) {
         canvas.painter.drawPolyline(piece);
         if (!track.ownShip) continue;
-        for (const QPointF p : piece) canvas.labels.avoid(p);
+        QPointF last(1e9, 1e9);
+        for (const QPointF p : piece) {
+            if (std::abs(p.x() - last.x()) + std::abs(p.y() - last.y()) < 10.0) continue;
+            canvas.labels.avoid(p);
+            last = p;
+        }
     }
 }
 
