@@ -6,8 +6,8 @@
 
 namespace sagara::ui {
 
-/// CONTROLLER of what a chart shows: turns drags, zooms and the own ship's pose into a ChartTransform. Owns no
-/// widget and no clock.
+/// CONTROLLER of what a chart shows: turns drags, zooms and the own ship's pose into a ChartTransform. Owns
+/// no widget and no clock.
 class ChartCamera {
 public:
     enum class Orientation { NorthUp, HeadUp };

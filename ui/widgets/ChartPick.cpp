@@ -43,8 +43,7 @@ void offerShips(Search& search, Kind kind, const std::vector<ChartShip>& ships) 
         const ChartShip& ship = ships[i];
         const bool onHull = core::contains(
             shipOutline(ship.position, ship.heading_rad, ship.length_m, ship.beam_m), search.place());
-        search.offer(kind, i, ship.position,
-                     onHull ? 0.0 : core::distance(ship.position, search.place()));
+        search.offer(kind, i, ship.position, onHull ? 0.0 : core::distance(ship.position, search.place()));
     }
 }
 
@@ -90,7 +89,8 @@ QString waypointText(const ChartScene& scene, std::size_t i) {
     const core::Route::Waypoint& w = scene.route.waypoints[i];
     QString text = tr("Waypoint %1").arg(i + 1);
     if (!w.name.empty()) text += QStringLiteral(": ") + QString::fromStdString(w.name);
-    if (i > 0 && w.speedMax_mps > 0.0) text += u'\n' + tr("%1 at most on the leg to it").arg(speedText(w.speedMax_mps));
+    if (i > 0 && w.speedMax_mps > 0.0)
+        text += u'\n' + tr("%1 at most on the leg to it").arg(speedText(w.speedMax_mps));
     return text;
 }
 

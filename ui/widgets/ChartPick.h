@@ -18,8 +18,8 @@ struct ChartPick {
     QString text;  ///< for a tooltip: name, and what there is to know
 };
 
-/// The nearest thing within `reach_px`; ships before waypoints, marks, anchors, berths, places and zones. Only
-/// layers that are shown. Ships drawn to scale are hit anywhere in their hull.
+/// The nearest thing within `reach_px`; ships before waypoints, marks, anchors, berths, places and zones.
+/// Only layers that are shown. Ships drawn to scale are hit anywhere in their hull.
 ChartPick pickOnChart(const PreparedChart& chart, const ChartScene& scene, ChartLayers shown,
                       const ChartTransform& view, QPointF at, double reach_px);
 

@@ -21,7 +21,7 @@ enum class ChartLayer : unsigned {
     Graticule = 1u << 6,
     OwnShips = 1u << 7,
     Targets = 1u << 8,
-    Names = 1u << 9,    ///< of ships
+    Names = 1u << 9,  ///< of ships
     Vectors = 1u << 10,
     Track = 1u << 11,
     Prediction = 1u << 12,
@@ -102,8 +102,8 @@ struct ChartScene {
     std::vector<ChartZone> zones;
     std::vector<ChartAnchor> anchors;
     std::vector<ChartHandle> handles;
-    double clearance_m = 0.0;   ///< to be kept from other ships: a ring about the own ship; 0: none
-    double vector_min = 6.0;    ///< length of speed vectors
+    double clearance_m = 0.0;    ///< to be kept from other ships: a ring about the own ship; 0: none
+    double vector_min = 6.0;     ///< length of speed vectors
     double clockAtZero_s = 0.0;  ///< time of day at time 0, for the times along tracks
 };
 

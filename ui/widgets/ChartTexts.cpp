@@ -10,9 +10,7 @@
 namespace sagara::ui {
 namespace {
 
-QString cutOff(double depth_m) {
-    return chart::number(std::floor(10.0 * depth_m + 1e-6) / 10.0, 1);
-}
+QString cutOff(double depth_m) { return chart::number(std::floor(10.0 * depth_m + 1e-6) / 10.0, 1); }
 
 }  // namespace
 
@@ -57,8 +55,8 @@ QString clockText(double timeOfDay_s) {
 QString shipText(const core::LocalFrame& frame, const ChartShip& ship) {
     const double speed_mps = core::length(ship.overGround_mps);
     QString text = ship.name;
-    text += u'\n' + tr("heading %1").arg(
-                        bearingText(trueDirection_rad(frame, ship.position, ship.heading_rad)));
+    text +=
+        u'\n' + tr("heading %1").arg(bearingText(trueDirection_rad(frame, ship.position, ship.heading_rad)));
     if (speed_mps >= 0.05) {
         const double course_rad = core::bearing_rad({}, ship.overGround_mps);
         text += u'\n' + tr("over ground %1 %2")

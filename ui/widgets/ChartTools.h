@@ -39,7 +39,8 @@ public:
     bool dragging() const { return m_dragging; }
     void ownShipAt(core::NorthEast p);
 
-    /// One step back: first what is measured with this tool goes, then the tool. False when there was nothing.
+    /// One step back: first what is measured with this tool goes, then the tool. False when there was
+    /// nothing.
     bool cancel();
 
     /// Distance of the rule from a place; positive when the rule lies to starboard of it, as seen along the

@@ -47,6 +47,8 @@ ChartTransform ChartTransform::turned(double up_rad) const {
     return {m_size, m_centre, m_metresPerPixel, up_rad};
 }
 
-ChartTransform ChartTransform::centredOn(NorthEast p) const { return {m_size, p, m_metresPerPixel, m_up_rad}; }
+ChartTransform ChartTransform::centredOn(NorthEast p) const {
+    return {m_size, p, m_metresPerPixel, m_up_rad};
+}
 
 }  // namespace sagara::ui

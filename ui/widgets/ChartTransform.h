@@ -8,8 +8,8 @@
 
 namespace sagara::ui {
 
-/// Frame N as it lies on a screen of logical pixels, x to the right, y down. A value: every change gives a new
-/// one. Use ChartCamera where the view has to follow a ship.
+/// Frame N as it lies on a screen of logical pixels, x to the right, y down. A value: every change gives a
+/// new one. Use ChartCamera where the view has to follow a ship.
 class ChartTransform {
 public:
     /// `up_rad`: the direction that points up the screen, clockwise from north of frame N.

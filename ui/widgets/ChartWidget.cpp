@@ -73,6 +73,7 @@ void ChartWidget::setPixelPitch(double pixel_mm) {
 
 void ChartWidget::setScene(ChartScene scene) {
     m_scene = std::move(scene);
+    m_routeShape.step_m = 0.0;
     shipsChanged();
 }
 
@@ -104,6 +105,7 @@ void ChartWidget::setPredictions(std::vector<ChartPrediction> predictions) {
 
 void ChartWidget::setRoute(const core::Route& route) {
     m_scene.route = route;
+    m_routeShape.step_m = 0.0;
     m_scene.path = route.waypoints.size() > 1 ? core::RoutePath(route) : core::RoutePath();
     update();
 }
@@ -299,7 +301,9 @@ void ChartWidget::paintEvent(QPaintEvent*) {
     for (const QRectF& name : m_picture.names(view())) canvas.labels.block(name);
     canvas.labels.block(scaleBox(canvas));
     if (any && canvas.shows(ChartLayer::Graticule)) drawGraticuleTexts(canvas, frame());
-    drawScene(canvas, m_scene, frame());
+    const double step_m = routeStep_m(view());
+    if (m_routeShape.step_m != step_m) m_routeShape = routeShape(m_scene.route, m_scene.path, step_m);
+    drawScene(canvas, m_scene, m_routeShape, frame());
     if (any) drawScaleBox(canvas, frame(), view().up_rad() != 0.0);
     const std::optional<std::size_t> dragged =
         m_gesture == Gesture::Handle ? std::optional(m_handle) : std::nullopt;

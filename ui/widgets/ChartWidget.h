@@ -10,6 +10,7 @@
 #include "ui/widgets/ChartPick.h"
 #include "ui/widgets/ChartPicture.h"
 #include "ui/widgets/ChartTools.h"
+#include "ui/widgets/RouteShape.h"
 
 namespace sagara::ui {
 
@@ -121,6 +122,7 @@ private:
     ChartTools m_tools;
     ChartScene m_scene;
     ChartPicture m_picture;
+    RouteShape m_routeShape;  ///< of the scene's route at the scale of the last repaint; step 0: to be made
     bool m_whole = true;  ///< shows all of the area, and does so when resized, until somebody moves the chart
     Gesture m_gesture = Gesture::None;
     QPointF m_pressedAt;

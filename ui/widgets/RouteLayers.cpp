@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/Units.h"
-#include "ui/chart/Corridor.h"
 #include "ui/chart/Format.h"
 #include "ui/widgets/ChartTexts.h"
 #include "ui/widgets/SceneLayers.h"
@@ -13,17 +12,15 @@
 namespace sagara::ui {
 namespace {
 
-constexpr double kStep_px = 9.0;
 constexpr double kNamesTo = 26000.0;  ///< denominator up to which waypoints are named, not only numbered
 
 /// All pieces as one shape, filled once, so that the band is equally pale where pieces overlap. Every piece
 /// runs the same way round; in a bend tighter than its limit some would otherwise cut holes.
-QPainterPath bandShape(const ChartCanvas& canvas, const ChartScene& scene) {
+QPainterPath bandPath(const ChartCanvas& canvas, const RouteShape& route) {
     QPainterPath shape;
     shape.setFillRule(Qt::WindingFill);
     const QRectF clip = canvas.clip();
-    for (const chart::CorridorPiece& piece :
-         chart::corridorPieces(scene.route, scene.path, canvas.view.toMetres(kStep_px))) {
+    for (const chart::CorridorPiece& piece : route.band) {
         QPolygonF corners;
         for (const core::NorthEast corner : piece.corners) corners << canvas.view.toScreen(corner);
         if (!corners.boundingRect().intersects(clip)) continue;
@@ -76,19 +73,15 @@ QString waypointText(std::size_t i, const core::Route::Waypoint& waypoint) {
 
 }  // namespace
 
-void drawRoute(ChartCanvas& canvas, const ChartScene& scene) {
-    if (scene.path.length_m() > 0.0) {
-        canvas.painter.fillPath(bandShape(canvas, scene), canvas.palette.corridor);
-        canvas.painter.setBrush(Qt::NoBrush);
-        canvas.painter.setPen(chartPen(canvas.palette.route, 0.8));
-        const double step_m = canvas.view.toMetres(kStep_px);
-        for (const double side : {-1.0, 1.0}) {
-            for (const auto& line : chart::corridorEdge(scene.route, scene.path, side, step_m))
-                drawLine(canvas, line);
-        }
-        canvas.painter.setPen(dashedChartPen(canvas.palette.route, 1.8, 9.0, 4.0));
-        drawLine(canvas, chart::pathLine(scene.path, step_m));
-    }
+double routeStep_m(const ChartTransform& view) { return view.toMetres(9.0); }
+
+void drawRoute(ChartCanvas& canvas, const ChartScene& scene, const RouteShape& shape) {
+    canvas.painter.fillPath(bandPath(canvas, shape), canvas.palette.corridor);
+    canvas.painter.setBrush(Qt::NoBrush);
+    canvas.painter.setPen(chartPen(canvas.palette.route, 1.0));
+    for (const auto& edge : shape.edges) drawLine(canvas, edge);
+    canvas.painter.setPen(dashedChartPen(canvas.palette.route, 1.8, 9.0, 4.0));
+    drawLine(canvas, shape.line);
     for (const core::Route::Waypoint& waypoint : scene.route.waypoints) {
         const QPointF at = canvas.view.toScreen(waypoint.position);
         if (!canvas.holds(at)) continue;

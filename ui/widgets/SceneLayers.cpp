@@ -2,10 +2,11 @@
 
 namespace sagara::ui {
 
-void drawScene(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame) {
+void drawScene(ChartCanvas& canvas, const ChartScene& scene, const RouteShape& shape,
+               const core::LocalFrame& frame) {
     if (canvas.shows(ChartLayer::Zones)) drawZones(canvas, scene);
     if (canvas.shows(ChartLayer::SafetyLimits)) drawSafetyLimits(canvas, scene);
-    if (canvas.shows(ChartLayer::Route)) drawRoute(canvas, scene);
+    if (canvas.shows(ChartLayer::Route)) drawRoute(canvas, scene, shape);
     if (canvas.shows(ChartLayer::Anchors)) drawAnchors(canvas, scene);
     if (canvas.shows(ChartLayer::Targets)) drawTargets(canvas, scene);
     if (canvas.shows(ChartLayer::Track)) drawTracks(canvas, scene);

@@ -1,6 +1,7 @@
 #include "ui/widgets/ScreenText.h"
 
 #include <QFontMetricsF>
+#include <QHash>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,14 +23,21 @@ void drawHalo(QPainter& painter, QPointF at, const QString& text, const Letterin
 
 }  // namespace
 
+/// Looking up a font takes as long as drawing ten words with it, and a chart uses a dozen of them all the
+/// time.
 QFont fontOf(const Lettering& lettering) {
+    thread_local QHash<int, QFont> known;
+    const int size = std::max(6, static_cast<int>(std::lround(lettering.size_px)));
+    const int key = 4 * size + (lettering.bold ? 2 : 0) + (lettering.italic ? 1 : 0);
+    const auto found = known.constFind(key);
+    if (found != known.constEnd()) return *found;
     QFont font;
     font.setFamilies(
         {QStringLiteral("Noto Sans"), QStringLiteral("DejaVu Sans"), QStringLiteral("Sans Serif")});
-    font.setPixelSize(std::max(6, static_cast<int>(std::lround(lettering.size_px))));
+    font.setPixelSize(size);
     font.setBold(lettering.bold);
     font.setItalic(lettering.italic);
-    return font;
+    return *known.insert(key, font);
 }
 
 double textWidth_px(const QString& text, const Lettering& lettering) {

@@ -7,8 +7,8 @@
 
 namespace sagara::ui {
 
-/// Outline of a ship seen from above, in frame N: pointed bow over the forward 30 %, parallel sides, a transom
-/// of 85 % of the beam. The same form that core gives ships for contact, in fewer points.
+/// Outline of a ship seen from above, in frame N: pointed bow over the forward 30 %, parallel sides, a
+/// transom of 85 % of the beam. The same form that core gives ships for contact, in fewer points.
 std::array<core::NorthEast, 9> shipOutline(core::NorthEast midship, double heading_rad, double length_m,
                                            double beam_m);
 
