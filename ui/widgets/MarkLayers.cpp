@@ -1,4 +1,5 @@
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/chart/Format.h"
@@ -44,6 +45,39 @@ QColor flareOf(const ChartPalette& palette, const core::Light& light) {
     return palette.flareWhite;
 }
 
+/// Away from the nearest other mark: the names of two buoys that make a gate stay out of the channel.
+bool wordsToTheRight(const ChartCanvas& canvas, const core::Area& area, const core::Mark& mark) {
+    const QPointF at = canvas.view.toScreen(mark.position);
+    double nearest_px = 30.0 * canvas.letter_px;
+    bool right = true;
+    for (const core::Mark& other : area.marks) {
+        const QPointF off = at - canvas.view.toScreen(other.position);
+        const double distance_px = std::hypot(off.x(), off.y());
+        if (&other == &mark || distance_px >= nearest_px) continue;
+        nearest_px = distance_px;
+        right = off.x() >= 0.0;
+    }
+    return right;
+}
+
+/// Beside the symbol and clear of its flare; false when there is no room.
+bool labelBeside(ChartCanvas& canvas, QPointF at, bool right, const QStringList& lines,
+                 const Lettering& letters) {
+    QRectF box(QPointF(), textSize_px(lines, letters));
+    const double gap = 0.65 * mark_px(canvas) + 2.0;
+    box.moveCenter(at);
+    if (right) {
+        box.moveLeft(at.x() + gap);
+        box.moveBottom(std::min(box.bottom(), at.y() + 0.1 * canvas.letter_px));
+    } else {
+        box.moveRight(at.x() - gap);
+    }
+    if (!canvas.labels.isFree(box)) return false;
+    canvas.labels.block(box);
+    drawLines(canvas.painter, box, right ? Qt::AlignLeft : Qt::AlignRight, lines, letters);
+    return true;
+}
+
 }  // namespace
 
 void drawMarks(ChartCanvas& canvas, const PreparedChart& chart) {
@@ -54,7 +88,8 @@ void drawMarks(ChartCanvas& canvas, const PreparedChart& chart) {
         const bool major = mark.kind == core::MarkKind::Lighthouse;
         if (mark.light && canvas.shows(ChartLayer::Lights) && (major || canvas.denominator <= kLightsTo)) {
             drawFlare(canvas, at, flareOf(canvas.palette, *mark.light));
-            canvas.labels.block({at, QSizeF(1.1 * canvas.letter_px, 1.3 * canvas.letter_px)});
+            canvas.labels.block({at + QPointF(0.0, 0.15 * canvas.letter_px),
+                                 QSizeF(1.1 * canvas.letter_px, 1.15 * canvas.letter_px)});
         }
         chart::drawMark(canvas.painter, at, chart.marks[i], mark_px(canvas), canvas.palette.marks);
         canvas.blockAround(at, 0.55 * mark_px(canvas));
@@ -76,7 +111,10 @@ void labelMarks(ChartCanvas& canvas, const PreparedChart& chart) {
         if (light && canvas.denominator <= (major ? 3.0 * kLightsTo : kLightsTo))
             lines << (canvas.denominator <= 2.0 * kNamesTo || major ? lightText(*mark.light)
                                                                     : lightCharacter(*mark.light));
-        if (!lines.isEmpty())
+        if (lines.isEmpty()) continue;
+        const bool right = wordsToTheRight(canvas, *chart.area, mark);
+        if (!labelBeside(canvas, at, right, lines, letters) &&
+            !labelBeside(canvas, at, !right, lines, letters))
             labelNear(canvas, at, 0.75 * mark_px(canvas), 2.2 * canvas.letter_px, lines, letters);
     }
 }

@@ -2,6 +2,8 @@
 
 #include <QDir>
 #include <QImage>
+#include <QMouseEvent>
+#include <QTest>
 
 #include "core/base/Units.h"
 #include "tests/ui/widgets/LessonScene.h"
@@ -78,8 +80,36 @@ TEST_F(Pictures, TheLessonAtEveryZoomInEveryPalette) {
     chart.resize(1280, 720);
     chart.setChart(galle());
     chart.setScene(scenes[1]);
+    chart.show();
     chart.fitTo(about(scenes[1].ownShips[0].position, 600.0));
     save(chart, QStringLiteral("high-dpi"), 2.0);
+}
+
+TEST_F(Pictures, ToolsAndHandles) {
+    ChartScene scene = sailedLesson({8.0}).front();
+    for (std::size_t i = 0; i < scene.route.waypoints.size(); ++i)
+        scene.handles.push_back({static_cast<int>(i), scene.route.waypoints[i].position, {}});
+    ChartWidget chart;
+    chart.resize(1280, 720);
+    chart.setChart(galle());
+    chart.setScene(scene);
+    chart.show();
+    chart.fitTo(about(scene.ownShips[0].position, 1100.0));
+    const QPoint ship = chart.view().toScreen(scene.ownShips[0].position).toPoint();
+    const auto drag = [&](QPoint from, QPoint to) {
+        QTest::mousePress(&chart, Qt::LeftButton, Qt::NoModifier, from);
+        QMouseEvent move(QEvent::MouseMove, to, chart.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QCoreApplication::sendEvent(&chart, &move);
+        QTest::mouseRelease(&chart, Qt::LeftButton, Qt::NoModifier, to);
+    };
+    chart.chooseTool(ChartTools::Tool::ParallelRule);
+    drag(ship + QPoint(60, 120), ship + QPoint(-110, 160));
+    chart.chooseTool(ChartTools::Tool::RangeBearing);
+    drag(ship, ship + QPoint(250, -90));
+    save(chart, QStringLiteral("tools"));
+    chart.setColours(PaletteName::Dusk);
+    save(chart, QStringLiteral("tools-dusk"));
 }
 
 }  // namespace
