@@ -45,15 +45,21 @@ QColor flareOf(const ChartPalette& palette, const core::Light& light) {
     return palette.flareWhite;
 }
 
-/// Away from the nearest other mark: the names of two buoys that make a gate stay out of the channel.
+bool lateral(const core::Mark& mark) {
+    return mark.kind == core::MarkKind::LateralPort || mark.kind == core::MarkKind::LateralStarboard;
+}
+
+/// Away from the nearest other mark, for a lateral mark the nearest of the other hand: the names of two buoys
+/// that make a gate stay out of the channel.
 bool wordsToTheRight(const ChartCanvas& canvas, const core::Area& area, const core::Mark& mark) {
     const QPointF at = canvas.view.toScreen(mark.position);
     double nearest_px = 30.0 * canvas.letter_px;
     bool right = true;
     for (const core::Mark& other : area.marks) {
+        if (&other == &mark || (lateral(mark) && (!lateral(other) || other.kind == mark.kind))) continue;
         const QPointF off = at - canvas.view.toScreen(other.position);
         const double distance_px = std::hypot(off.x(), off.y());
-        if (&other == &mark || distance_px >= nearest_px) continue;
+        if (distance_px >= nearest_px) continue;
         nearest_px = distance_px;
         right = off.x() >= 0.0;
     }
