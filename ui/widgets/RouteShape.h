@@ -14,14 +14,7 @@ struct RouteShape {
     std::vector<core::NorthEast> line;
 };
 
-inline RouteShape routeShape(const core::Route& route, const core::RoutePath& path, double step_m) {
-    if (path.length_m() <= 0.0) return {step_m, {}, {}, {}};
-    RouteShape shape{step_m, chart::corridorPieces(route, path, step_m), {}, chart::pathLine(path, step_m)};
-    for (const double side : {-1.0, 1.0}) {
-        for (auto& edge : chart::corridorEdge(route, path, side, step_m))
-            shape.edges.push_back(std::move(edge));
-    }
-    return shape;
-}
+/// `step_m`: no more than a few pixels. Straights become one piece.
+RouteShape routeShape(const core::Route& route, const core::RoutePath& path, double step_m);
 
 }  // namespace sagara::ui

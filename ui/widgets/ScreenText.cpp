@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QHash>
+#include <QStaticText>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,14 +12,20 @@ namespace {
 
 constexpr double kHalo = 0.11;  ///< of the size of the letters
 
-/// The letters in the halo's colour all round their place. Glyphs come from Qt's cache: far quicker than an
-/// outline, which counts where ships move.
-void drawHalo(QPainter& painter, QPointF at, const QString& text, const Lettering& lettering) {
+/// The letters in the halo's colour all round their place, then the letters. They are shaped once and come
+/// from Qt's cache of glyphs: far quicker than an outline, which counts where ships move.
+void drawWithHalo(QPainter& painter, QPointF baseline, double ascent, const QString& text,
+                  const Lettering& lettering) {
     const double r = std::max(1.0, kHalo * lettering.size_px), d = 0.7 * r;
     const std::array<QPointF, 8> around{QPointF(r, 0), QPointF(-r, 0), QPointF(0, r),  QPointF(0, -r),
                                         QPointF(d, d), QPointF(d, -d), QPointF(-d, d), QPointF(-d, -d)};
+    QStaticText shaped(text);
+    shaped.setTextFormat(Qt::PlainText);
+    const QPointF at = baseline - QPointF(0.0, ascent);
     painter.setPen(lettering.halo);
-    for (const QPointF& shift : around) painter.drawText(at + shift, text);
+    for (const QPointF& shift : around) painter.drawStaticText(at + shift, shaped);
+    painter.setPen(lettering.colour);
+    painter.drawStaticText(at, shaped);
 }
 
 }  // namespace
@@ -77,9 +84,12 @@ void drawText(QPainter& painter, QPointF at, Qt::Alignment alignment, const QStr
         start += at;
     }
     painter.setFont(font);
-    if (lettering.halo.alpha() > 0) drawHalo(painter, start, text, lettering);
-    painter.setPen(lettering.colour);
-    painter.drawText(start, text);
+    if (lettering.halo.alpha() > 0) {
+        drawWithHalo(painter, start, metrics.ascent(), text, lettering);
+    } else {
+        painter.setPen(lettering.colour);
+        painter.drawText(start, text);
+    }
     if (turned) painter.restore();
 }
 
