@@ -5,8 +5,8 @@
 #include <array>
 
 #include "core/base/Angle.h"
-#include "ui/report/Contours.h"
-#include "ui/report/Marks.h"
+#include "ui/chart/Contours.h"
+#include "ui/chart/Marks.h"
 
 namespace sagara::run {
 namespace {
@@ -75,9 +75,9 @@ void fillChart(report::RunReport& r, const core::World& world) {
     r.depthDatum = area.depthDatum;
     r.attribution = area.attribution;
     r.land = area.land;
-    r.contours = report::contoursOf(area, std::array{2.0, 5.0, 10.0, 20.0});
+    r.contours = chart::contoursOf(area, std::array{2.0, 5.0, 10.0, 20.0});
     for (const core::Mark& m : area.marks) {
-        r.marks.push_back(report::chartMarkOf(m, area.ialaRegion));
+        r.marks.push_back(chart::chartMarkOf(m, area.ialaRegion));
     }
 }
 

@@ -5,8 +5,8 @@
 #include <QRectF>
 #include <optional>
 
+#include "ui/chart/LabelField.h"
 #include "ui/report/ChartView.h"
-#include "ui/report/LabelField.h"
 #include "ui/report/ReportData.h"
 #include "ui/report/Text.h"
 
@@ -21,7 +21,7 @@ struct Chart {
     QPainter& painter;
     const ChartView& view;
     const RunReport& report;
-    LabelField labels;
+    chart::LabelField labels;
     std::optional<QRectF> shownInInset;  ///< a part of the frame whose details are in the inset
 
     /// Whether a place's label or symbol belongs on this chart.

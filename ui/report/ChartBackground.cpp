@@ -4,9 +4,9 @@
 
 #include "core/base/Shapes.h"
 #include "core/base/Units.h"
+#include "ui/chart/Polyline.h"
 #include "ui/report/Chart.h"
 #include "ui/report/Format.h"
-#include "ui/report/Polyline.h"
 
 namespace sagara::report {
 namespace {
@@ -20,7 +20,7 @@ bool touches(const ChartView& view, const QPolygonF& line) {
 }
 
 QPolygonF pageLine(const ChartView& view, std::span<const core::NorthEast> line) {
-    return view.toPage(simplified(line, view.toMetres(kFine_mm)));
+    return view.toPage(chart::simplified(line, view.toMetres(kFine_mm)));
 }
 
 /// A text of a contour lies along its line, over a gap, never upside down.
@@ -62,7 +62,7 @@ void drawSea(Chart& chart) { chart.painter.fillRect(chart.view.frame(), colour::
 
 void drawContours(Chart& chart) {
     chart.painter.setBrush(Qt::NoBrush);
-    for (const RunReport::Contour& contour : chart.report.contours) {
+    for (const Contour& contour : chart.report.contours) {
         chart.painter.setPen(linePen(colour::kContour, contour.depth_m <= 5.0 ? 0.25 : 0.16));
         for (const auto& line : contour.lines) {
             const QPolygonF polygon = pageLine(chart.view, line);
@@ -81,7 +81,7 @@ void drawLand(Chart& chart) {
 }
 
 void labelContours(Chart& chart) {
-    for (const RunReport::Contour& contour : chart.report.contours) {
+    for (const Contour& contour : chart.report.contours) {
         for (const auto& line : contour.lines) {
             const QPolygonF polygon = pageLine(chart.view, line);
             if (touches(chart.view, polygon)) labelContour(chart, polygon, shortNumber(contour.depth_m, 1));

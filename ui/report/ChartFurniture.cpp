@@ -1,9 +1,7 @@
 #include "ui/report/ChartFurniture.h"
 
-#include <array>
-#include <cmath>
-
 #include "core/base/Units.h"
+#include "ui/chart/ScaleBar.h"
 #include "ui/report/Format.h"
 #include "ui/report/Text.h"
 
@@ -23,13 +21,8 @@ struct Bar {
 constexpr int kParts = 4;
 
 Bar barFor(const ChartView& view) {
-    constexpr std::array<double, 10> kPartCables{0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 20, 50};
-    Bar best{kPartCables.front(), view.toMm(kPartCables.front() * core::kCable_m)};
-    for (const double part : kPartCables) {
-        const double part_mm = view.toMm(part * core::kCable_m);
-        if (kParts * part_mm <= kLongestBar_mm) best = {part, part_mm};
-    }
-    return best;
+    const double part = chart::scaleBarPart_cables(view.toMetres(kLongestBar_mm) / kParts);
+    return {part, view.toMm(part * core::kCable_m)};
 }
 
 void drawBar(QPainter& painter, const Bar& bar, QPointF at) {
@@ -76,14 +69,6 @@ void drawScaleBox(QPainter& painter, const QRectF& box, const ChartView& view, b
     if (northArrow) drawArrow(painter, {box.right() - 0.5 * arrow_mm, box.center().y() + 1.8}, north_rad);
 }
 
-QString scaleText(const ChartView& view) {
-    const QString digits = QString::number(std::llround(view.denominator()));
-    QString grouped;
-    for (qsizetype i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) grouped += QChar(0xa0);
-        grouped += digits[i];
-    }
-    return QStringLiteral("1:") + grouped;
-}
+QString scaleText(const ChartView& view) { return chart::naturalScale(view.denominator()); }
 
 }  // namespace sagara::report

@@ -1,9 +1,7 @@
 #include <QPolygonF>
-#include <array>
-#include <cmath>
-#include <functional>
+#include <vector>
 
-#include "core/base/Units.h"
+#include "ui/chart/Graticule.h"
 #include "ui/report/Chart.h"
 #include "ui/report/Format.h"
 
@@ -13,53 +11,17 @@ namespace {
 constexpr double kLeastSpacing_mm = 34.0;
 const TextStyle kTextStyle{6.5, colour::kInk};
 
+using chart::GridLine;
+
 /// Distance of the lines in minutes of arc.
-double step_min(const ChartView& view) {
-    constexpr std::array<double, 14> kSteps_min{0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 20, 30, 60};
-    for (const double step : kSteps_min) {
-        if (view.toMm(step * core::kNauticalMile_m) >= kLeastSpacing_mm) return step;
-    }
-    return 60.0;
-}
+double step_min(const ChartView& view) { return chart::graticuleStep_min(view.toMetres(kLeastSpacing_mm)); }
 
-/// One meridian or parallel across the frame.
-struct GridLine {
-    double value_deg = 0.0;
-    core::NorthEast from, to;
-};
-
-/// All values that are multiples of the step between two angles.
-std::vector<double> multiples(double low_deg, double high_deg, double step_deg) {
-    std::vector<double> values;
-    for (double k = std::ceil(low_deg / step_deg); k * step_deg <= high_deg && values.size() < 100; ++k) {
-        values.push_back(k * step_deg);
-    }
-    return values;
-}
-
-/// In a frame of a few miles meridians and parallels are straight to a hair's breadth.
 std::vector<GridLine> parallels(const Chart& chart, double ofStep = 1.0) {
-    const Extent shown = chart.view.extent();
-    const core::GeoPoint sw = chart.report.frame.toGeo(shown.southWest),
-                         ne = chart.report.frame.toGeo(shown.northEast);
-    std::vector<GridLine> lines;
-    for (const double lat : multiples(sw.lat_deg, ne.lat_deg, ofStep * step_min(chart.view) / 60.0)) {
-        lines.push_back({lat, chart.report.frame.toLocal({lat, sw.lon_deg}),
-                         chart.report.frame.toLocal({lat, ne.lon_deg})});
-    }
-    return lines;
+    return chart::parallels(chart.report.frame, chart.view.extent(), ofStep * step_min(chart.view));
 }
 
 std::vector<GridLine> meridians(const Chart& chart, double ofStep = 1.0) {
-    const Extent shown = chart.view.extent();
-    const core::GeoPoint sw = chart.report.frame.toGeo(shown.southWest),
-                         ne = chart.report.frame.toGeo(shown.northEast);
-    std::vector<GridLine> lines;
-    for (const double lon : multiples(sw.lon_deg, ne.lon_deg, ofStep * step_min(chart.view) / 60.0)) {
-        lines.push_back({lon, chart.report.frame.toLocal({sw.lat_deg, lon}),
-                         chart.report.frame.toLocal({ne.lat_deg, lon})});
-    }
-    return lines;
+    return chart::meridians(chart.report.frame, chart.view.extent(), ofStep * step_min(chart.view));
 }
 
 int decimals(const ChartView& view) { return step_min(view) < 0.0999 ? 2 : 1; }

@@ -1,5 +1,5 @@
+#include "ui/chart/Marks.h"
 #include "ui/report/Chart.h"
-#include "ui/report/Marks.h"
 
 namespace sagara::report {
 namespace {

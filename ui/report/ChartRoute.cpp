@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "ui/chart/Corridor.h"
 #include "ui/report/Chart.h"
 #include "ui/report/ChartSigns.h"
-#include "ui/report/Corridor.h"
 
 namespace sagara::report {
 namespace {
@@ -16,7 +16,8 @@ const TextStyle kNameStyle{7.0, colour::kRoute, true};
 QPainterPath bandShape(const Chart& chart) {
     QPainterPath shape;
     shape.setFillRule(Qt::WindingFill);
-    for (const CorridorPiece& piece : corridorPieces(chart.report, chart.view.toMetres(kStep_mm))) {
+    for (const chart::CorridorPiece& piece :
+         chart::corridorPieces(chart.report.route, chart.report.path, chart.view.toMetres(kStep_mm))) {
         QPolygonF corners = chart.view.toPage(piece.corners);
         const QPointF a = corners[2] - corners[0], b = corners[3] - corners[1];
         if (a.x() * b.y() - a.y() * b.x() < 0.0) std::reverse(corners.begin(), corners.end());
@@ -28,7 +29,8 @@ QPainterPath bandShape(const Chart& chart) {
 
 void drawEdge(Chart& chart, double side, const QPen& pen) {
     chart.painter.setPen(pen);
-    for (const auto& line : corridorEdge(chart.report, side, chart.view.toMetres(kStep_mm))) {
+    for (const auto& line :
+         chart::corridorEdge(chart.report.route, chart.report.path, side, chart.view.toMetres(kStep_mm))) {
         chart.painter.drawPolyline(chart.view.toPage(line));
     }
 }
@@ -50,7 +52,8 @@ void drawCorridor(Chart& chart) {
 }
 
 void drawRoute(Chart& chart) {
-    const QPolygonF line = chart.view.toPage(pathLine(chart.report.path, chart.view.toMetres(kStep_mm)));
+    const QPolygonF line =
+        chart.view.toPage(chart::pathLine(chart.report.path, chart.view.toMetres(kStep_mm)));
     chart.painter.setBrush(Qt::NoBrush);
     chart.painter.setPen(routePen());
     chart.painter.drawPolyline(line);

@@ -1,27 +1,11 @@
 #include "ui/report/ChartSigns.h"
 
-#include <QPainterPath>
 #include <algorithm>
 
+#include "ui/chart/AnchorSign.h"
 #include "ui/report/Style.h"
 
 namespace sagara::report {
-namespace {
-
-void strokeAnchor(QPainter& painter, QPointF at, double half_mm) {
-    const auto p = [&](double x, double y) { return at + half_mm * QPointF(x, y); };
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(p(0.0, -0.85), 0.2 * half_mm, 0.2 * half_mm);
-    painter.drawLine(p(0.0, -0.65), p(0.0, 1.0));
-    painter.drawLine(p(-0.5, -0.35), p(0.5, -0.35));
-    QPainterPath flukes(p(-0.85, 0.25));
-    flukes.quadTo(p(-0.6, 0.95), p(0.0, 1.0));
-    flukes.quadTo(p(0.6, 0.95), p(0.85, 0.25));
-    painter.drawPath(flukes);
-}
-
-}  // namespace
-
 QPen trackPen() { return linePen(colour::kInk, 0.3); }
 QPen routePen() { return dashedPen(colour::kRoute, 0.3, 2.2, 1.1); }
 QPen corridorEdgePen() { return linePen(colour::kRoute, 0.12); }
@@ -39,9 +23,9 @@ void drawWaypointSign(QPainter& painter, QPointF at, double radius_mm) {
 
 void drawAnchorSign(QPainter& painter, QPointF at, double half_mm) {
     painter.setPen(linePen(colour::kPaper, 0.9));
-    strokeAnchor(painter, at, half_mm);
+    chart::strokeAnchor(painter, at, half_mm);
     painter.setPen(linePen(colour::kInk, 0.35));
-    strokeAnchor(painter, at, half_mm);
+    chart::strokeAnchor(painter, at, half_mm);
 }
 
 void drawDeductionCross(QPainter& painter, QPointF at) {

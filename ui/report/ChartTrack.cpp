@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/chart/Polyline.h"
 #include "ui/report/Chart.h"
 #include "ui/report/ChartSigns.h"
 #include "ui/report/Format.h"
-#include "ui/report/Polyline.h"
 #include "ui/report/TrackMoments.h"
 
 namespace sagara::report {
@@ -97,7 +97,7 @@ double outlineInterval_s(const Chart& chart) {
 void drawTrack(Chart& chart) {
     if (chart.report.track.empty()) return;
     const QPolygonF line =
-        chart.view.toPage(simplified(positions(chart.report.track), chart.view.toMetres(0.03)));
+        chart.view.toPage(chart::simplified(positions(chart.report.track), chart.view.toMetres(0.03)));
     chart.painter.setBrush(Qt::NoBrush);
     chart.painter.setPen(trackPen());
     chart.painter.drawPolyline(line);

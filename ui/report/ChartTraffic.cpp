@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "ui/chart/Polyline.h"
 #include "ui/report/Chart.h"
 #include "ui/report/ChartSigns.h"
-#include "ui/report/Polyline.h"
 
 namespace sagara::report {
 namespace {
@@ -43,7 +43,7 @@ void drawOtherTracks(Chart& chart) {
     for (const OtherTrack& other : chart.report.others) {
         if (other.points.empty()) continue;
         const QColor colour = other.hostile ? colour::kHostile : colour::kOther;
-        const auto line = simplified(other.points, chart.view.toMetres(0.05));
+        const auto line = chart::simplified(other.points, chart.view.toMetres(0.05));
         chart.painter.setPen(otherTrackPen(other.hostile));
         chart.painter.setBrush(Qt::NoBrush);
         chart.painter.drawPolyline(chart.view.toPage(line));

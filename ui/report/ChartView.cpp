@@ -13,14 +13,6 @@ double decadeBelow(double value) { return std::pow(10.0, std::floor(std::log10(v
 
 }  // namespace
 
-void Extent::include(core::NorthEast p) {
-    if (!std::isfinite(p.north_m) || !std::isfinite(p.east_m)) return;
-    if (empty) southWest = northEast = p;
-    empty = false;
-    southWest = {std::min(southWest.north_m, p.north_m), std::min(southWest.east_m, p.east_m)};
-    northEast = {std::max(northEast.north_m, p.north_m), std::max(northEast.east_m, p.east_m)};
-}
-
 QPointF ChartView::toPage(core::NorthEast p) const {
     const core::NorthEast d = p - m_centre;
     return m_frame.center() + QPointF(toMm(d.east_m), -toMm(d.north_m));

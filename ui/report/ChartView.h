@@ -5,21 +5,11 @@
 #include <QRectF>
 #include <span>
 
-#include "core/base/Planar.h"
+#include "ui/chart/Extent.h"
 
 namespace sagara::report {
 
-/// A box in frame N; empty until a point was put in.
-struct Extent {
-    core::NorthEast southWest;
-    core::NorthEast northEast;
-    bool empty = true;
-
-    void include(core::NorthEast p);
-    core::NorthEast centre() const { return 0.5 * (southWest + northEast); }
-    double height_m() const { return northEast.north_m - southWest.north_m; }
-    double width_m() const { return northEast.east_m - southWest.east_m; }
-};
+using chart::Extent;
 
 /// Frame N drawn north up, to a scale, in a rectangle of the page.
 class ChartView {

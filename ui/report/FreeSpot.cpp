@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/report/Corridor.h"
-#include "ui/report/Polyline.h"
+#include "ui/chart/Corridor.h"
+#include "ui/chart/Polyline.h"
 
 namespace sagara::report {
 namespace {
@@ -30,8 +30,9 @@ std::vector<QPointF> pointsToKeepFree(const RunReport& report, const ChartView& 
     std::vector<QPointF> points;
     std::vector<core::NorthEast> track;
     for (const TrackPoint& p : report.track) track.push_back(p.position);
-    addDense(points, view.toPage(simplified(track, view.toMetres(0.3))));
-    for (const CorridorPiece& piece : corridorPieces(report, view.toMetres(2.0))) {
+    addDense(points, view.toPage(chart::simplified(track, view.toMetres(0.3))));
+    for (const chart::CorridorPiece& piece :
+         chart::corridorPieces(report.route, report.path, view.toMetres(2.0))) {
         for (const core::NorthEast corner : piece.corners) points.push_back(view.toPage(corner));
     }
     for (const core::Route::Waypoint& w : report.route.waypoints) points.push_back(view.toPage(w.position));

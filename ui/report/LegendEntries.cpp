@@ -4,9 +4,9 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "ui/chart/Marks.h"
 #include "ui/report/ChartSigns.h"
 #include "ui/report/Format.h"
-#include "ui/report/Marks.h"
 #include "ui/report/Text.h"
 #include "ui/report/TrackMoments.h"
 

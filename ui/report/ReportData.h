@@ -9,10 +9,15 @@
 #include "core/base/Utc.h"
 #include "core/world/Area.h"
 #include "core/world/Route.h"
+#include "ui/chart/Contours.h"
+#include "ui/chart/Marks.h"
 
 /// What the report of one run shows. Plain values in SI and frame N; the page turns them into knots, degrees
 /// and text.
 namespace sagara::report {
+
+using chart::ChartMark;
+using chart::Contour;
 
 struct TaskLine {
     std::string title;
@@ -66,16 +71,6 @@ struct OtherTrack {
     std::vector<core::NorthEast> points;
 };
 
-/// A light, buoy or beacon: where, and the colour it is drawn in. See chartMarkOf in Marks.h.
-struct ChartMark {
-    enum class Colour : std::uint8_t { Red, Green, Yellow, Black, White };
-    std::string name;
-    core::NorthEast position;
-    Colour colour = Colour::Black;
-    bool fictional = false;
-    core::MarkKind kind = core::MarkKind::Beacon;  ///< its shape: black and white prints have no colours
-};
-
 struct RunReport {
     std::string scenarioName;
     std::string objective;
@@ -115,11 +110,7 @@ struct RunReport {
     std::string depthDatum;
     std::vector<std::string> attribution;
     std::vector<std::vector<core::NorthEast>> land;  ///< closed rings
-    struct Contour {
-        double depth_m = 0.0;
-        std::vector<std::vector<core::NorthEast>> lines;
-    };
-    std::vector<Contour> contours;  ///< shallow to deep
+    std::vector<Contour> contours;                   ///< shallow to deep
     std::vector<ChartMark> marks;
 };
 

@@ -10,37 +10,12 @@ namespace {
 std::string of(const QString& text) { return text.toStdString(); }
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(ReportFormat, NumbersHaveATrueMinusAndNoMinusZero) {
-    EXPECT_EQ(of(number(-2.31, 1)), "−2.3");
-    EXPECT_EQ(of(number(-0.04, 1)), "0.0");
-    EXPECT_EQ(of(number(12.0, 0)), "12");
-    EXPECT_EQ(of(number(kNan, 1)), "–");
-    EXPECT_EQ(of(shortNumber(4.0, 2)), "4");
-    EXPECT_EQ(of(shortNumber(2.25, 2)), "2.25");
-    EXPECT_EQ(of(shortNumber(100.0, 1)), "100");
-}
-
 TEST(ReportFormat, TimesCountMinutesPastTheHour) {
     EXPECT_EQ(of(clockTime(0.0)), "00:00");
     EXPECT_EQ(of(clockTime(425.0)), "07:05");
     EXPECT_EQ(of(clockTime(59.6)), "01:00");
     EXPECT_EQ(of(clockTime(6061.0)), "101:01");
     EXPECT_EQ(of(clockTime(kNan)), "–");
-}
-
-TEST(ReportFormat, BearingsHaveThreeFiguresOnOneTurn) {
-    EXPECT_EQ(of(bearing(0.0)), "000");
-    EXPECT_EQ(of(bearing(359.7)), "000");
-    EXPECT_EQ(of(bearing(405.0)), "045");
-    EXPECT_EQ(of(bearing(-90.0)), "270");
-}
-
-TEST(ReportFormat, PlacesAreDegreesAndDecimalMinutes) {
-    EXPECT_EQ(of(latitude(6.0325, 2)), "006°01.95'N");
-    EXPECT_EQ(of(longitude(80.2268, 1)), "080°13.6'E");
-    EXPECT_EQ(of(latitude(-33.5, 1)), "033°30.0'S");
-    EXPECT_EQ(of(longitude(-0.0001, 2)), "000°00.01'W");
-    EXPECT_EQ(of(longitude(179.99999, 1)), "180°00.0'E") << "minutes never read 60";
 }
 
 TEST(ReportFormat, LocalTimeNamesItsZoneAndOffset) {

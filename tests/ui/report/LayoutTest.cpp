@@ -5,14 +5,13 @@
 
 #include "core/base/Angle.h"
 #include "tests/ui/report/SampleRun.h"
+#include "ui/chart/Corridor.h"
+#include "ui/chart/Marks.h"
 #include "ui/report/Axis.h"
 #include "ui/report/ChartPlan.h"
-#include "ui/report/Corridor.h"
 #include "ui/report/Flow.h"
 #include "ui/report/FreeSpot.h"
-#include "ui/report/LabelField.h"
 #include "ui/report/MarkerRows.h"
-#include "ui/report/Marks.h"
 #include "ui/report/SpeedLimits.h"
 #include "ui/report/Text.h"
 #include "ui/report/TrackMoments.h"
@@ -84,20 +83,6 @@ TEST(MarkerRows, DenseNumbersUseAllRowsAndThenShare) {
     EXPECT_EQ(numbers, 60u) << "none is lost";
 }
 
-TEST(LabelField, LabelsNeverOverlapAndStayInside) {
-    const QRectF frame(0, 0, 60, 60);
-    LabelField field(frame);
-    std::vector<QRectF> placed;
-    for (int i = 0; i < 60; ++i) {
-        const auto box = field.place({30, 30}, {8, 3}, 1.0, 40.0);
-        if (!box) continue;
-        EXPECT_TRUE(frame.contains(*box));
-        for (const QRectF& other : placed) EXPECT_FALSE(other.intersects(*box));
-        placed.push_back(*box);
-    }
-    EXPECT_GT(placed.size(), 20u);
-}
-
 TEST(ChartView, PageAndChartAreInverse) {
     const ChartView view({20, 30, 160, 200}, {-1200.0, 340.0}, 15000.0);
     const NorthEast p{-700.0, 123.0};
@@ -128,7 +113,7 @@ TEST(ChartPlan, TheInsetHidesNothingOfTheRun) {
 TEST(Corridor, EdgesKeepTheirDistanceFromThePath) {
     const RunReport report = test::passedRun();
     for (const double side : {-1.0, 1.0}) {
-        for (const auto& line : corridorEdge(report, side, 20.0)) {
+        for (const auto& line : chart::corridorEdge(report.route, report.path, side, 20.0)) {
             for (const NorthEast p : line) {
                 const auto place = report.path.nearest(p, 0.0, 0.0, report.path.length_m());
                 EXPECT_GE(std::abs(place.offTrack_m), 0.02 * core::kNauticalMile_m * 0.97);
@@ -136,8 +121,8 @@ TEST(Corridor, EdgesKeepTheirDistanceFromThePath) {
             }
         }
     }
-    EXPECT_TRUE(corridorPieces(RunReport{}, 10.0).empty());
-    EXPECT_TRUE(pathLine(core::RoutePath{}, 10.0).empty());
+    EXPECT_TRUE(chart::corridorPieces({}, {}, 10.0).empty());
+    EXPECT_TRUE(chart::pathLine(core::RoutePath{}, 10.0).empty());
 }
 
 TEST(SpeedLimits, TheRecordedOnesComeFirstThenThoseOfTheLegs) {
@@ -180,11 +165,11 @@ TEST(TrackPlots, HeadingGoesOnThroughNorth) {
 TEST(Marks, LateralColoursFollowTheRegion) {
     core::Mark mark;
     mark.kind = core::MarkKind::LateralPort;
-    EXPECT_EQ(chartMarkOf(mark, "A").colour, ChartMark::Colour::Red);
-    EXPECT_EQ(chartMarkOf(mark, "B").colour, ChartMark::Colour::Green);
+    EXPECT_EQ(chart::chartMarkOf(mark, "A").colour, ChartMark::Colour::Red);
+    EXPECT_EQ(chart::chartMarkOf(mark, "B").colour, ChartMark::Colour::Green);
     mark.kind = core::MarkKind::LateralStarboard;
-    EXPECT_EQ(chartMarkOf(mark, "A").colour, ChartMark::Colour::Green);
-    EXPECT_EQ(chartMarkOf(mark, "B").colour, ChartMark::Colour::Red);
+    EXPECT_EQ(chart::chartMarkOf(mark, "A").colour, ChartMark::Colour::Green);
+    EXPECT_EQ(chart::chartMarkOf(mark, "B").colour, ChartMark::Colour::Red);
 }
 
 }  // namespace

@@ -7,12 +7,14 @@
 
 #include "core/base/Angle.h"
 #include "tests/support/Assets.h"
-#include "ui/report/Contours.h"
-#include "ui/report/Marks.h"
+#include "ui/chart/Contours.h"
+#include "ui/chart/Marks.h"
 
 namespace sagara::report::test {
 namespace {
 
+using chart::chartMarkOf;
+using chart::contoursOf;
 using core::kKnot_mps;
 using core::NorthEast;
 
@@ -28,8 +30,8 @@ const core::Area& galle() {
     return area;
 }
 
-const std::vector<RunReport::Contour>& galleContours() {
-    static const std::vector<RunReport::Contour> contours =
+const std::vector<Contour>& galleContours() {
+    static const std::vector<Contour> contours =
         contoursOf(galle(), std::array{2.0, 5.0, 10.0, 15.0, 20.0, 30.0});
     return contours;
 }
