@@ -30,6 +30,17 @@ vec3 skyColour(vec3 d) {
     return c + u_glow.rgb * (0.25 * s2 * low2 + 0.5 * s8 + s8 * s8 * s8);
 }
 
+/// What a rough water mirrors of the sky: without the brightest around the sun, and towards the fog's colour by `haze`.
+vec3 mirroredSky(vec3 d, float haze) {
+    float low = 1.0 - clamp(d.y, 0.0, 1.0);
+    float low2 = low * low;
+    float s = max(dot(d, u_sun.xyz), 0.0);
+    float s2 = s * s;
+    float s4 = s2 * s2;
+    vec3 c = mix(u_zenith.rgb, u_horizon.rgb, mix(low2 * low2 * low, 1.0, haze));
+    return c + u_glow.rgb * (0.25 * s2 * mix(low2, 1.0, haze) + 0.5 * s4 * s4 * (1.0 - haze));
+}
+
 vec3 fogColour(vec3 d) {
     float s = max(dot(d, u_sun.xyz), 0.0);
     return u_horizon.rgb + u_glow.rgb * (0.25 * s * s);

@@ -49,8 +49,7 @@ void main() {
 
     vec3 r = reflect(d, n);
     r.y = abs(r.y) + 0.35 * rough;
-    vec3 sky = skyColour(r);
-    sky = mix(sky, fogColour(r), u_light.x);
+    vec3 sky = mirroredSky(r, u_light.x);
 
     // Sun or moon on the facets: a distribution of slopes with long tails.
     vec3 h = u_lamp.xyz - d;

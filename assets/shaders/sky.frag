@@ -9,9 +9,9 @@ void main() {
     float s = dot(d, u_sun.xyz);
     vec3 c = v_sky + (u_sunColour.rgb + u_glow.rgb) * smoothstep(0.99996, 0.999985, s) * (1.6 * (1.0 - smoothstep(0.55, 0.9, u_cloud.x)));
 #ifdef CLOUDS
-    // Cumulus on a flat ceiling; cover and thickness from two looks at the same noise.
+    // Cumulus on a flat ceiling.
     vec2 p = d.xz * (0.11 / (max(d.y, 0.0) + 0.035)) + u_cloud.yz;
-    float n = 0.68 * texture(u_clouds, p).r + 0.32 * texture(u_clouds, p * 2.7 + vec2(0.31, 0.17)).r;
+    float n = texture(u_clouds, p).r;
     float edge = 1.02 - u_cloud.x;
     float cover = smoothstep(edge - 0.10, edge + 0.16, n);
     float thick = clamp((n - edge) * 2.5, 0.0, 1.0);

@@ -16,6 +16,7 @@ struct PresetFigures {
     int seaColumnsPerSector;  ///< of 24 sectors
     bool shortWaves;          ///< the 25 m tile in the picture's slopes
     bool foam;
+    bool mipmapsBetween;  ///< of the slopes of waves
     bool clouds;
     int palms;
     int houses;

@@ -61,14 +61,17 @@ void ShaderMaterial::set(const std::string& uniform, const Ogre::Vector4& value)
 }
 
 void ShaderMaterial::addTexture(const std::string& uniform, const Ogre::TexturePtr& texture, bool wrap,
-                                bool mipmaps) {
+                                Mipmaps mipmaps) {
     Ogre::Pass& pass = passOf(m_material);
     const int unit = pass.getNumTextureUnitStates();
     Ogre::TextureUnitState* state = pass.createTextureUnitState();
     state->setTexture(texture);
     state->setTextureAddressingMode(wrap ? Ogre::TextureUnitState::TAM_WRAP
                                          : Ogre::TextureUnitState::TAM_CLAMP);
-    state->setTextureFiltering(Ogre::FO_LINEAR, Ogre::FO_LINEAR, mipmaps ? Ogre::FO_LINEAR : Ogre::FO_NONE);
+    state->setTextureFiltering(Ogre::FO_LINEAR, Ogre::FO_LINEAR,
+                               mipmaps == Mipmaps::None      ? Ogre::FO_NONE
+                               : mipmaps == Mipmaps::Nearest ? Ogre::FO_POINT
+                                                             : Ogre::FO_LINEAR);
     for (const auto& parameters : {pass.getVertexProgramParameters(), pass.getFragmentProgramParameters()}) {
         if (parameters->_findNamedConstantDefinition(uniform) != nullptr)
             parameters->setNamedConstant(uniform, unit);
@@ -117,7 +120,7 @@ ShaderMaterial Materials::make(const std::string& name, Blending blending) {
 ShaderMaterial Materials::withTexture(const ShaderMaterial& material, const std::string& name,
                                       const std::string& uniform, const Ogre::TexturePtr& texture) {
     ShaderMaterial copy(material.ogre()->clone(name, true, kGroup));
-    copy.addTexture(uniform, texture, true, true);
+    copy.addTexture(uniform, texture, true, Mipmaps::Between);
     m_all.push_back(copy);
     return copy;
 }

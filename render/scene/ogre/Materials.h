@@ -19,6 +19,10 @@ struct Blending {
     bool depthWrite = true;
 };
 
+/// Which mipmaps a look at a texture takes: none, the nearest, or the two nearest with what lies between.
+/// Without a graphics card the second costs half of what the third does.
+enum class Mipmaps { None, Nearest, Between };
+
 /// A material of ours: one pass with two programs from assets/shaders.
 class ShaderMaterial {
 public:
@@ -27,8 +31,8 @@ public:
     void set(const std::string& uniform, const Ogre::Vector4& value) const;
     void setVertex(const std::string& uniform, const Ogre::Vector4& value) const;
     void setFragment(const std::string& uniform, const Ogre::Vector4& value) const;
-    /// Bilinear; `mipmaps` trilinear.
-    void addTexture(const std::string& uniform, const Ogre::TexturePtr& texture, bool wrap, bool mipmaps);
+    /// Bilinear in each.
+    void addTexture(const std::string& uniform, const Ogre::TexturePtr& texture, bool wrap, Mipmaps mipmaps);
 
 private:
     Ogre::MaterialPtr m_material;

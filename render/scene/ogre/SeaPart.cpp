@@ -31,7 +31,9 @@ double halfWidth_rad(const Camera& c) {
 }  // namespace
 
 SeaPart::SeaPart(const PartContext& context)
-    : m_tiles(context.world.waves), m_material(context.materials.make("sea")) {
+    : m_tiles(context.world.waves),
+      m_slopes(context.figures.mipmapsBetween ? Mipmaps::Between : Mipmaps::Nearest),
+      m_material(context.materials.make("sea")) {
     for (std::size_t b = 0; b < 3; ++b) {
         const std::string number = std::to_string(b);
         m_heights[b] = floatTexture("height" + number, m_tiles.tiles()[b].height_m);
@@ -58,11 +60,11 @@ SeaPart::SeaPart(const PartContext& context)
 
 void SeaPart::lift(ShaderMaterial& material) {
     for (std::size_t b = 0; b < 3; ++b) {
-        material.addTexture("u_height" + std::to_string(b), m_heights[b], true, true);
-        material.addTexture("u_surface" + std::to_string(b), m_surfaces[b], true, true);
+        material.addTexture("u_height" + std::to_string(b), m_heights[b], true, Mipmaps::Between);
+        material.addTexture("u_surface" + std::to_string(b), m_surfaces[b], true, m_slopes);
     }
-    material.addTexture("u_water", m_far.texture, false, false);
-    material.addTexture("u_waterNear", m_near.texture, false, false);
+    material.addTexture("u_water", m_far.texture, false, Mipmaps::None);
+    material.addTexture("u_waterNear", m_near.texture, false, Mipmaps::None);
     m_lifted.push_back(material);
 }
 

@@ -27,6 +27,7 @@ private:
     WaterMap waterMap(const core::World& world, std::size_t grid);
 
     SeaTiles m_tiles;
+    Mipmaps m_slopes;
     ShaderMaterial m_material;
     std::array<Ogre::TexturePtr, 3> m_heights;
     std::array<Ogre::TexturePtr, 3> m_surfaces;

@@ -12,7 +12,7 @@
 namespace sagara::render {
 namespace {
 
-constexpr int kCloudSize = 256;
+constexpr int kCloudSize = 512;
 /// Half of 1 / radius, with the radius a sixth greater for the bending of light near the horizon.
 constexpr double kCurvature_perM = 0.5 / (6'371'000.0 * 7.0 / 6.0);
 
@@ -56,7 +56,7 @@ SkyPart::SkyPart(const PartContext& context)
       m_moon(context.scenes.getRootSceneNode()->createChildSceneNode()) {
     if (context.figures.clouds)
         m_sky.addTexture("u_clouds", byteTexture("clouds", kCloudSize, kCloudSize, cloudNoise(kCloudSize)),
-                         true, false);
+                         true, Mipmaps::None);
     auto* entity = context.scenes.createEntity(dome(m_sky.ogre()));
     entity->setRenderQueueGroup(kSkyQueue);
     context.scenes.getRootSceneNode()->createChildSceneNode()->attachObject(entity);
