@@ -14,6 +14,8 @@
 namespace sagara::render {
 namespace {
 
+/// Pictures up to this height take a net of two thirds: as fine on the screen as the other in a large one.
+constexpr int kSmall_px = 480;
 constexpr double kDeepest_m = 60.0;  ///< of the water map's green
 constexpr double kSector_rad = core::kTwoPi / kSeaSectors;
 
@@ -45,17 +47,24 @@ SeaPart::SeaPart(const PartContext& context)
     m_material.set("u_deepWater", vector4(0.012, 0.062, 0.095, 0.0));
     m_material.set("u_shallowWater", vector4(0.035, 0.20, 0.20, 0.0));
 
-    const SeaGrid grid = seaSector(context.figures.seaRings, context.figures.seaColumnsPerSector);
+    const int rings = context.figures.seaRings, columns = context.figures.seaColumnsPerSector;
+    m_net = net(context, "sea", seaSector(rings, columns));
+    m_smallNet = net(context, "sea-small", seaSector(2 * rings / 3, 2 * columns / 3));
+}
+
+SeaPart::Net SeaPart::net(const PartContext& context, const std::string& name, const SeaGrid& grid) {
     const Ogre::MeshPtr mesh =
-        rawMesh("sea", grid.vertices, 5, grid.indices, m_material.ogre(), Ogre::AxisAlignedBox::BOX_INFINITE);
+        rawMesh(name, grid.vertices, 5, grid.indices, m_material.ogre(), Ogre::AxisAlignedBox::BOX_INFINITE);
+    Net sectors;
     for (int i = 0; i < kSeaSectors; ++i) {
         auto* entity = context.scenes.createEntity(mesh);
         entity->setRenderQueueGroup(kSeaQueue);
         auto* node = context.scenes.getRootSceneNode()->createChildSceneNode();
         node->yaw(Ogre::Radian(static_cast<float>(-kSector_rad * i)));
         node->attachObject(entity);
-        m_sectors.push_back(node);
+        sectors.push_back(node);
     }
+    return sectors;
 }
 
 void SeaPart::lift(ShaderMaterial& material) {
@@ -146,9 +155,12 @@ void SeaPart::look(const Frame&, const View& view) {
     m_material.setVertex("u_grid", vector4(seaGridFactor(c.up_m), 0.0, 0.0, 0.0));
 
     const double axis = c.heading_rad + c.yaw_rad, half = halfWidth_rad(c) + 0.5 * kSector_rad + 0.02;
-    for (std::size_t i = 0; i < m_sectors.size(); ++i) {
+    const bool small = view.height <= kSmall_px;
+    for (std::size_t i = 0; i < m_net.size(); ++i) {
         const double middle = kSector_rad * (static_cast<double>(i) + 0.5);
-        m_sectors[i]->setVisible(std::abs(core::wrapPi(middle - axis)) < half);
+        const bool seen = std::abs(core::wrapPi(middle - axis)) < half;
+        m_net[i]->setVisible(seen && !small);
+        m_smallNet[i]->setVisible(seen && small);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/scene/ogre/Part.h"
+#include "render/scene/sea/SeaGrid.h"
 #include "render/scene/sea/SeaTiles.h"
 
 namespace sagara::render {
@@ -25,6 +26,8 @@ private:
         Ogre::TexturePtr texture;
     };
     WaterMap waterMap(const core::World& world, std::size_t grid);
+    using Net = std::vector<Ogre::SceneNode*>;  ///< a node a sector
+    Net net(const PartContext& context, const std::string& name, const SeaGrid& grid);
 
     SeaTiles m_tiles;
     Mipmaps m_slopes;
@@ -33,7 +36,8 @@ private:
     std::array<Ogre::TexturePtr, 3> m_surfaces;
     WaterMap m_far;
     WaterMap m_near;
-    std::vector<Ogre::SceneNode*> m_sectors;
+    Net m_net;
+    Net m_smallNet;
     std::vector<ShaderMaterial> m_lifted;
 };
 
