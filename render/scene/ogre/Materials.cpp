@@ -30,6 +30,7 @@ void apply(Ogre::Pass& pass, Blending blending) {
     pass.setCullingMode(Ogre::CULL_NONE);  // shaders turn normals towards the eye
     pass.setDepthCheckEnabled(blending.depthTest);
     pass.setDepthWriteEnabled(blending.depthWrite);
+    pass.setColourWriteEnabled(blending.colourWrite);
     if (blending.kind == Blending::Kind::Alpha) pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
     if (blending.kind == Blending::Kind::Add) pass.setSceneBlending(Ogre::SBT_ADD);
 }

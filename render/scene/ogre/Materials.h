@@ -17,6 +17,7 @@ struct Blending {
     enum class Kind { Opaque, Alpha, Add } kind = Kind::Opaque;
     bool depthTest = true;
     bool depthWrite = true;
+    bool colourWrite = true;
 };
 
 /// Which mipmaps a look at a texture takes: none, the nearest, or the two nearest with what lies between.

@@ -50,6 +50,7 @@ public:
 /// through.
 enum Queue : std::uint8_t {
     kSolidQueue = 50,
+    kLidQueue = 55,
     kSeaQueue = 60,
     kSkyQueue = 70,
     kFoamQueue = 75,

@@ -9,11 +9,16 @@ namespace sagara::render {
 
 namespace {
 
+constexpr double kLidWithin_m = 1000.0;
+
 /// Makes the nodes of ships and what hangs on them; a texture is uploaded once a ship.
 class Shipyard {
 public:
     Shipyard(const PartContext& context, const ShaderMaterial& solid, const ShaderMaterial& textured)
-        : m_context(context), m_solid(solid), m_textured(textured) {}
+        : m_context(context),
+          m_solid(solid),
+          m_textured(textured),
+          m_lid(context.materials.make("lid", {.colourWrite = false})) {}
 
     Ogre::SceneNode* root() { return m_context.scenes.getRootSceneNode()->createChildSceneNode(); }
     Ogre::SceneNode* hang(Ogre::SceneNode* parent, const std::string& name, const Solid& shape,
@@ -29,17 +34,23 @@ public:
         }
         return node;
     }
+    Ogre::SceneNode* lay(Ogre::SceneNode* parent, const std::string& name, const Solid& lid) {
+        Ogre::SceneNode* node = parent->createChildSceneNode();
+        if (!lid.indices.empty()) attach(node, meshOf(name, lid, m_lid.ogre()), kLidQueue);
+        return node;
+    }
 
 private:
-    void attach(Ogre::SceneNode* node, const Ogre::MeshPtr& mesh) {
+    void attach(Ogre::SceneNode* node, const Ogre::MeshPtr& mesh, Queue queue = kSolidQueue) {
         auto* entity = m_context.scenes.createEntity(mesh);
-        entity->setRenderQueueGroup(kSolidQueue);
+        entity->setRenderQueueGroup(queue);
         node->attachObject(entity);
     }
 
     const PartContext& m_context;
     const ShaderMaterial& m_solid;
     const ShaderMaterial& m_textured;
+    ShaderMaterial m_lid;
 };
 
 }  // namespace
@@ -54,6 +65,7 @@ ShipsPart::ShipsPart(const PartContext& context, const ShaderMaterial& solid, co
         ship.upperworks =
             yard.hang(ship.node, name + "-upperworks", shape.upperworks, shape.textured.upperworks);
         ship.detail = yard.hang(ship.node, name + "-detail", shape.detail, shape.textured.detail);
+        ship.lid = yard.lay(ship.node, name + "-lid", shape.lid);
         return ship;
     };
     for (std::size_t i = 0; i < context.fleet.own.size(); ++i)
@@ -71,6 +83,7 @@ void ShipsPart::place(const Ship& ship, const ShipPose& pose, const View& view, 
     ship.upperworks->setVisible(!inside);
     const double away_m = core::distance(pose.position, view.camera.position);
     ship.detail->setVisible(away_m < m_detailWithin_m);
+    ship.lid->setVisible(away_m < kLidWithin_m);
 }
 
 void ShipsPart::look(const Frame& frame, const View& view) {

@@ -20,6 +20,7 @@ private:
         Ogre::SceneNode* hull = nullptr;
         Ogre::SceneNode* upperworks = nullptr;
         Ogre::SceneNode* detail = nullptr;
+        Ogre::SceneNode* lid = nullptr;
     };
     void place(const Ship& ship, const ShipPose& pose, const View& view, bool inside) const;
 

@@ -161,6 +161,8 @@ Shell shellOfStations(const ShipForm& f) {
     return shell;
 }
 
+Shell shellOf(const ShipForm& f) { return f.stations.empty() ? shellOfForm(f) : shellOfStations(f); }
+
 }  // namespace
 
 double deckHalfBreadth_m(const ShipForm& f, double x_m) {
@@ -168,9 +170,21 @@ double deckHalfBreadth_m(const ShipForm& f, double x_m) {
     return std::max(line, waterHalfBreadth_m(f.stations, x_m));
 }
 
+Solid hullLid(const ShipForm& f) {
+    Solid lid;
+    std::vector<std::vector<Point>> rows;
+    std::vector<std::vector<Paint>> paints;
+    for (const std::vector<Point>& row : shellOf(f).rows) {
+        rows.push_back({row.back(), {row.back().x, -row.back().y, row.back().up}});
+        paints.push_back({{}, {}});
+    }
+    lid.surface(rows, paints);
+    return lid;
+}
+
 Solid hullSurface(const ShipForm& f, const HullPaint& paint) {
     Solid hull;
-    const Shell shell = f.stations.empty() ? shellOfForm(f) : shellOfStations(f);
+    const Shell shell = shellOf(f);
     const std::vector<std::vector<Point>>& starboard = shell.rows;
     std::vector<std::vector<Point>> port, deck;
     std::vector<std::vector<Paint>> paints, deckPaints;

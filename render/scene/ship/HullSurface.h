@@ -15,6 +15,9 @@ struct HullPaint {
 /// through stations worked out from her main particulars.
 Solid hullSurface(const ShipForm& form, const HullPaint& paint);
 
+/// Closes the hull at the top of its bulwark: what lies below it, inside, is not the sea.
+Solid hullLid(const ShipForm& form);
+
 /// Half breadth of the deck at x, to stand things on it.
 double deckHalfBreadth_m(const ShipForm& form, double x_m);
 

@@ -9,6 +9,8 @@
 namespace sagara::render {
 namespace {
 
+constexpr double kLow_m = 30.0;  ///< shorter hulls have waves higher than their decks
+
 constexpr Paint kWhite{0.88, 0.88, 0.86};
 constexpr Paint kGrey{0.53, 0.57, 0.61};
 constexpr Paint kDarkGrey{0.20, 0.21, 0.22};
@@ -287,6 +289,7 @@ ShipShape Builder::build() {
             fastCraft();
             break;
     }
+    if (f.length_m < kLow_m) shape.lid = hullLid(f);
     // Staffs for the lights on her centreline that no mast carries.
     for (const ShipLight& light : lightsOf(f, ShipActivity::UnderWay)) {
         const Point p = light.position;

@@ -12,6 +12,7 @@ struct ShipShape {
     Solid hull;        ///< shell, deck and what stands on the deck ahead: in view from her own bridge
     Solid upperworks;  ///< around the eye on her bridge, so left out there
     Solid detail;      ///< thin things that far ships need not show
+    Solid lid;         ///< of a low hull, unseen: keeps the picture of the sea out of it
     /// The same of models that have textures, one for each texture.
     struct Textured {
         std::vector<TexturedSolid> hull;
