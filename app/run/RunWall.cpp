@@ -11,9 +11,10 @@
 #include "app/files/AssetSource.h"
 #include "app/files/Files.h"
 #include "app/files/FindScenario.h"
+#include "app/live/LiveRun.h"
+#include "app/live/SteppedRun.h"
 #include "app/run/CommandDelay.h"
 #include "app/run/Console.h"
-#include "app/run/LiveRun.h"
 #include "app/run/RunOptions.h"
 #include "app/run/WallPictures.h"
 #include "app/run/WallStatistics.h"
@@ -150,7 +151,7 @@ private:
     }
 
     wall::Moment moment() {
-        wall::Moment moment = m_options.fast ? m_stepped.next() : m_live.now();
+        wall::Moment moment = m_options.fast ? m_stepped.next() : m_live.toDraw();
         m_time = moment.time;
         if (const auto at = m_live.carriedOut()) m_delay.carriedOut(*at);
         m_delay.sent(m_server.frame(), moment.time);
@@ -242,8 +243,8 @@ private:
     wall::Layout m_layout;
     std::shared_ptr<const core::World> m_world;
     core::State m_start;
-    LiveRun m_live;
-    SteppedRun m_stepped;
+    live::LiveRun m_live;
+    live::SteppedRun m_stepped;
     std::optional<WallPictures> m_pictures;
     WallStatistics m_statistics;
     Progress m_progress;

@@ -47,11 +47,11 @@ std::string WallStatistics::textOf(const wall::ChannelStatus& s) const {
     const auto found = m_channels.find(s.name);
     const std::int64_t longest_us = found == m_channels.end() ? 0 : found->second.longest_us;
     return fmt::format(
-        "{}: {}, frame {}, drawn in {:.1f} ms, {:.1f} ms after the first; frames left out: {} of {}, longest "
-        "wait "
-        "{:.0f} ms; lost {}{}",
+        "{}: {}, frame {}, drawn in {:.1f} ms, {:.1f} ms after the first; frames left out: {} of {}, told to "
+        "show "
+        "but not heard of: {}, longest wait {:.0f} ms; lost {}{}",
         s.name, wall::channelStateName(s.state), s.frame, 1e-3 * static_cast<double>(s.took_us),
-        1e-3 * static_cast<double>(s.skew_us), s.framesMissed, s.framesShown + s.framesMissed,
+        1e-3 * static_cast<double>(s.skew_us), s.framesMissed, s.framesShown + s.framesMissed, s.framesUntold,
         1e-3 * static_cast<double>(longest_us), times(s.timesLost),
         s.reason.empty() ? "" : " (" + s.reason + ")");
 }

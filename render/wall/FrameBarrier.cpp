@@ -152,7 +152,11 @@ void FrameBarrier::settleShows() {
         last_us = std::max(last_us, channel.shownAt_us);
     }
     for (Channel& channel : m_channels) {
-        if (channel.shows && channel.shownAt_us != 0) channel.status.skew_us = channel.shownAt_us - first_us;
+        if (!channel.shows) continue;
+        if (channel.shownAt_us == 0)
+            ++channel.status.framesUntold;
+        else
+            channel.status.skew_us = channel.shownAt_us - first_us;
     }
     const std::int64_t spread_us = first_us == kNever_us ? 0 : last_us - first_us;
     m_events.push_back({BarrierEvent::Kind::FrameOver, 0, m_shownFrame, spread_us, {}});

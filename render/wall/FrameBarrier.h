@@ -34,6 +34,9 @@ struct ChannelStatus {
     std::int64_t took_us = 0;     ///< from the frame being sent to its being drawn, last time
     std::uint64_t framesShown = 0;
     std::uint64_t framesMissed = 0;  ///< shown by others since it was first in step
+    /// Told to show and not heard of again before the next frame was complete: by rights only when it is
+    /// lost.
+    std::uint64_t framesUntold = 0;
     int timesLost = 0;
     std::string reason;  ///< why it was last lost; empty when never
 };

@@ -133,8 +133,7 @@ TEST(WallStatistics, CountsWhatWasShown) {
     status.reason = "was killed";
     EXPECT_EQ(s.textOf(status),
               "a: in step, frame 5, drawn in 31.0 ms, 0.0 ms after the first; frames left out: 0 of 5, "
-              "longest wait "
-              "40 ms; lost once (was killed)");
+              "told to show but not heard of: 0, longest wait 40 ms; lost once (was killed)");
 }
 
 }  // namespace

@@ -152,6 +152,8 @@ TEST_F(Barrier, KilledBetweenDrawingAndShowing) {
     m_barrier.shown(1, 2, 100);
     draw({1, 2});
     EXPECT_EQ(events(), "over 2 spread 0\nshow b 3\nshow c 3\n") << "over though one never told of it";
+    EXPECT_EQ(m_barrier.status(0).framesUntold, 1u);
+    EXPECT_EQ(m_barrier.status(1).framesUntold, 0u);
 }
 
 TEST_F(Barrier, ShowsAreCountedWhileTheNextFrameIsDrawn) {
