@@ -32,16 +32,6 @@ struct Prepared {
     std::optional<std::size_t> whole_bytes;  ///< of the recording to go on with
 };
 
-fs::path newRecordingPath(const Store& store, const std::string& scenario) {
-    std::string stamp = core::formatUtc(now());
-    stamp.erase(std::remove_if(stamp.begin(), stamp.end(), [](char c) { return c == '-' || c == ':'; }),
-                stamp.end());
-    for (int i = 1;; ++i) {
-        const fs::path path = store.folder().recordings() / fmt::format("{}-{}-{}.sgr", stamp, scenario, i);
-        if (!fs::exists(path)) return path;
-    }
-}
-
 void sortByTime(std::vector<core::Command>& commands) {
     std::stable_sort(commands.begin(), commands.end(),
                      [](const auto& a, const auto& b) { return a.tick < b.tick; });

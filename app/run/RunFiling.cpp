@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/files/Files.h"
@@ -131,6 +132,17 @@ std::vector<std::string> RunFiling::fileNoted() {
                                : "The earlier run " + recording + " still cannot be filed: " + failed);
     }
     return messages;
+}
+
+std::filesystem::path newRecordingPath(const Store& store, const std::string& scenario) {
+    std::string stamp = core::formatUtc(now());
+    stamp.erase(std::remove_if(stamp.begin(), stamp.end(), [](char c) { return c == '-' || c == ':'; }),
+                stamp.end());
+    for (int i = 1;; ++i) {
+        const std::filesystem::path path =
+            store.folder().recordings() / fmt::format("{}-{}-{}.sgr", stamp, scenario, i);
+        if (!std::filesystem::exists(path)) return path;
+    }
 }
 
 }  // namespace sagara::run

@@ -10,6 +10,9 @@
 
 namespace sagara::run {
 
+/// A name for a new recording in the data folder: time, scenario and a number.
+std::filesystem::path newRecordingPath(const Store& store, const std::string& scenario);
+
 /// Enters runs into the database. None of these throws or stops a run: what cannot be filed is noted beside
 /// the recordings (recordings/*.unfiled) and filed by a later start.
 class RunFiling {

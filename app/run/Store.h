@@ -31,6 +31,7 @@ public:
     /// not the one that was stored.
     std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override;
 
+    const files::AssetSource& assets() const { return m_assets; }  ///< what is shipped
     const db::DataFolder& folder() const { return m_folder; }
     db::Database* database() const { return m_database.get(); }  ///< null when it cannot be used
     const std::string& trouble() const { return m_trouble; }

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/exercise/World.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QTextBrowser;
+
+namespace sagara::ui {
+
+/// What may be sailed, as the start page lists it.
+struct ScenarioEntry {
+    std::string id;
+    std::string name;
+};
+
+/// What a person chose on the start page.
+struct StartChoice {
+    std::string scenario;
+    int level = 3;
+    std::string type;     ///< "train", "assess", ...
+    std::string trainee;  ///< empty: nobody named
+    bool pilot = false;
+};
+
+/// Choosing an exercise: which, how hard, for whom, as what. Shows the briefing of what is chosen.
+class StartPage final : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Builds a scenario for its briefing, or tells what is wrong with it.
+    using Look =
+        std::function<core::Result<std::shared_ptr<const core::World>, std::string>(const std::string&)>;
+
+    StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent = nullptr);
+    void setTrouble(const QString& trouble);  ///< shown until the next choice; empty: none
+
+Q_SIGNALS:
+    void chosen(const sagara::ui::StartChoice& choice);
+
+private:
+    void showBriefing(int row);
+    void open();
+
+    std::vector<ScenarioEntry> m_scenarios;
+    Look m_look;
+    QListWidget* m_list;
+    QTextBrowser* m_briefing;
+    QComboBox* m_level;
+    QComboBox* m_type;
+    QLineEdit* m_trainee;
+    QCheckBox* m_pilot;
+    QPushButton* m_open;
+    QLabel* m_trouble;
+};
+
+/// The briefing as a trainer reads it: objective, briefing, tasks, what is graded.
+QString briefingHtml(const core::World& world);
+
+}  // namespace sagara::ui

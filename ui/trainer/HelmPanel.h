@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/run/ExerciseRun.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace sagara::ui {
+
+/// Rudder, telegraph and the scripted pilot of one own ship, worked from the desk. Follows what others order.
+class HelmPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    HelmPanel(ExerciseRun& run, std::uint8_t ship, QWidget* parent = nullptr);
+    void refresh();
+
+private:
+    ExerciseRun& m_run;
+    std::uint8_t m_ship;
+    QCheckBox* m_pilot;
+    QSlider* m_rudder;  ///< degrees, starboard to the right
+    QLabel* m_order;
+    std::vector<QComboBox*> m_telegraphs;
+};
+
+}  // namespace sagara::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/run/ExerciseRun.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace sagara::ui {
+
+/// Start, freeze, pace and end of a run, and its clocks.
+class RunBar final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RunBar(ExerciseRun& run, QWidget* parent = nullptr);
+    void refresh();
+
+Q_SIGNALS:
+    /// The trainer wants the run to end and be graded; whoever owns it asks once more and does it.
+    void endWanted();
+
+private:
+    void toggle();
+
+    ExerciseRun& m_run;
+    QPushButton* m_start;
+    QPushButton* m_end;
+    QComboBox* m_rate;
+    QLabel* m_clock;
+    QLabel* m_state;
+};
+
+}  // namespace sagara::ui
