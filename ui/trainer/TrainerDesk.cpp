@@ -12,6 +12,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <QtConcurrent/QtConcurrentRun>
+#include <algorithm>
+#include <utility>
 
 #include "core/exercise/Prediction.h"
 #include "ui/trainer/EventBoard.h"
@@ -26,6 +28,7 @@
 namespace sagara::ui {
 namespace {
 
+constexpr int kLeftLeast_px = 310;  ///< the widest row of the instruments
 constexpr int kFrame_ms = 50, kBeat_ms = 200;
 constexpr double kUnderKeel_m = 1.5;  ///< added to the draught for the safety contour
 constexpr double kPrediction_s = 360.0, kPredictionStep_s = 10.0;
@@ -35,6 +38,8 @@ QScrollArea* scrolled(QWidget* inside) {
     area->setWidget(inside);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setMinimumWidth(kLeftLeast_px);
     return area;
 }
 
@@ -49,6 +54,7 @@ TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent
       m_mission(new MissionPanel(run, this)),
       m_frames(new QTimer(this)),
       m_beat(new QTimer(this)) {
+    setWindowFlags(Qt::Widget);  // a page of the station, though it has docks
     const core::World& world = *run.world();
     setWindowTitle(tr("%1 - Sagara").arg(QString::fromStdString(world.scenarioName)));
     double safety_m = 5.0;
@@ -71,7 +77,6 @@ TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent
 
     connect(m_frames, &QTimer::timeout, this, &TrainerDesk::drawViews);
     connect(m_beat, &QTimer::timeout, this, &TrainerDesk::refresh);
-    m_chart->follow(!world.ships.empty());
     m_frames->start(kFrame_ms);
     m_beat->start(kBeat_ms);
     refresh();
@@ -193,7 +198,26 @@ void TrainerDesk::addPanels() {
         ship->raise();
     }
     mission->raise();
-    resizeDocks({mission, findChild<QDockWidget*>(QStringLiteral("views"))}, {300, 400}, Qt::Horizontal);
+}
+
+/// Sizes are known only now: room for the panels by the width of the desk, and the chart at the route.
+void TrainerDesk::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (std::exchange(m_laidOut, true)) return;
+    QTimer::singleShot(0, this, [this] {
+        resizeDocks({findChild<QDockWidget*>(QStringLiteral("mission")),
+                     findChild<QDockWidget*>(QStringLiteral("views"))},
+                    {std::clamp(width() / 5, kLeftLeast_px, 420), std::clamp(width() / 3, 300, 760)},
+                    Qt::Horizontal);
+        chart::Extent extent;
+        for (const auto& waypoint : m_run.world()->route.waypoints) extent.include(waypoint.position);
+        for (const auto& ship : m_run.latest()->ships) extent.include(ship.motion.position());
+        if (extent.empty) return;
+        const core::NorthEast margin{0.12 * extent.height_m() + 200.0, 0.12 * extent.width_m() + 200.0};
+        extent.include(extent.southWest - margin);
+        extent.include(extent.northEast + margin);
+        m_chart->fitTo(extent);
+    });
 }
 
 void TrainerDesk::drawViews() {

@@ -34,6 +34,9 @@ public:
 Q_SIGNALS:
     void endWanted();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void addViews(render::Stage* stage);
     void addPanels();
@@ -52,6 +55,7 @@ private:
     MissionPanel* m_mission;
     QTimer* m_frames;
     QTimer* m_beat;
+    bool m_laidOut = false;
     std::int64_t m_trackedTo_s = -1;
     std::int64_t m_predictedAt_s = -1;
 };
