@@ -59,7 +59,7 @@ TEST_F(BadCommandLine, HelpIsNoFault) {
 TEST_F(BadCommandLine, AScenarioIsNeededAndMustBeKnown) {
     expectRefused({"run", "--fast"}, "--scenario or --resume is required");
     expectRefused({"run", "--scenario", "around-the-world"},
-                  "there is no scenario \"around-the-world\" in the database and no file of that name; see "
+                  "there is no scenario \"around-the-world\" and no file of that name; see "
                   "`sagara-sim list scenarios`");
     expectRefused({"run", "--scenario", at("none.json")}, "there is no scenario \"" + at("none.json") + "\"");
     expectRefused({"run", "--scenario", m_folder.string()}, "is a folder, expected a file");

@@ -17,7 +17,8 @@ std::vector<std::string> firstWords(const std::string& text) {
 
 TEST_F(ListsAndBackup, WhatIsShippedIsThereAtTheFirstStart) {
     EXPECT_EQ(firstWords(simDone({"list", "areas"}).out), (std::vector<std::string>{"galle"}));
-    EXPECT_EQ(firstWords(simDone({"list", "scenarios"}).out), (std::vector<std::string>{"basic-navigation"}));
+    EXPECT_EQ(firstWords(simDone({"list", "scenarios"}).out),
+              (std::vector<std::string>{"basic-navigation", "heavy-weather"}));
     const std::string vessels = simDone({"list", "vessels"}).out;
     EXPECT_EQ(firstWords(vessels), (std::vector<std::string>{"patrol51", "esso-osaka"}));
     EXPECT_NE(vessels.find("51.5 m patrol vessel"), std::string::npos);
