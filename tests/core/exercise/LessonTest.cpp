@@ -72,6 +72,16 @@ const Loss kBadRun[] = {
     {"speed", 1042, 10.9 * 0.5144, 3 * 0.5144, 12},  // half ahead to the mark: the rest of its weight
 };
 
+class PilotSailsInHeavyWeather : public ::testing::TestWithParam<int> {};
+TEST_P(PilotSailsInHeavyWeather, AndPasses) {
+    const auto world = test::worldOf(test::readAsset("scenarios/heavy-weather.json"));
+    const Sailed s = sail(*world, GetParam(), {{0, 0, PilotOrder{true}}});
+    EXPECT_TRUE(passed(world->mission, s.state.assessment));
+    EXPECT_TRUE(allTasksDone(s.state.assessment));
+    EXPECT_GE(scoreOf(s.state.assessment), 90.0);
+}
+INSTANTIATE_TEST_SUITE_P(Levels, PilotSailsInHeavyWeather, ::testing::Values(1, 3, 5));
+
 TEST(BadRun, LosesPointByPointAndFails) {
     const auto world = test::lessonWorld(1);
     const auto commands = loadCommands("bad run", test::readAsset("commands/basic-navigation-bad-run.json"),
