@@ -2,6 +2,8 @@
 
 #include <OgreEntity.h>
 
+#include <algorithm>
+
 #include "render/scene/ogre/Axes.h"
 #include "render/scene/ogre/Buffers.h"
 
@@ -82,7 +84,8 @@ void ShipsPart::place(const Ship& ship, const ShipPose& pose, const View& view, 
     ship.node->setOrientation(ogreAttitude(pose.heading_rad, pose.pitch_rad, pose.roll_rad));
     ship.upperworks->setVisible(!inside);
     const double away_m = core::distance(pose.position, view.camera.position);
-    ship.detail->setVisible(away_m < m_detailWithin_m);
+    // Thinner than a pixel beyond that.
+    ship.detail->setVisible(away_m < m_detailWithin_m * std::min(1.0, view.height / 720.0));
     ship.lid->setVisible(away_m < kLidWithin_m);
 }
 
