@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/files/BuildScenario.h"
 #include "app/files/Files.h"
-#include "app/files/FindScenario.h"
 #include "app/run/Console.h"
 #include "app/run/Outputs.h"
 #include "app/run/RecordingFile.h"
 #include "app/run/RunFiling.h"
-#include "core/exercise/BuildId.h"
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
@@ -72,24 +71,14 @@ std::optional<std::string> traineeName(const RunOptions& options) {
 std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     const auto trainee = traineeName(options);
     if (!trainee) return std::nullopt;
-    auto scenario = files::findScenario(store, options.scenario);
-    if (!scenario) return tell(scenario.error()), std::nullopt;
-    const auto documents = core::collectDocuments(std::move(scenario).value(), store);
-    if (!documents) return tell(documents.error().text()), std::nullopt;
-    auto world = core::buildWorld(*documents, options.seed);
-    if (!world) return tell(world.error().text()), std::nullopt;
+    auto world = files::buildScenario(store, options.scenario, options.seed);
+    if (!world) return tell(world.error()), std::nullopt;
     Prepared p;
     p.world = std::move(world).value();
     p.state = core::startState(*p.world, options.level);
     auto planned = plannedCommands(*p.world, options);
     if (!planned) return std::nullopt;
-    p.header.buildId = core::coreBuildId();
-    p.header.seed = options.seed;
-    p.header.level = options.level;
-    p.header.runType = options.type;
-    p.header.trainee = *trainee;
-    p.header.startedUnix_s = now().unix_s;
-    p.header.documents = *documents;
+    p.header = newHeader(*p.world, options.level, options.type, *trainee);
     p.header.planned = std::move(*planned);
     p.recording =
         options.record ? fs::absolute(*options.record) : newRecordingPath(store, p.world->scenarioId);

@@ -7,6 +7,7 @@
 
 #include "app/files/Files.h"
 #include "app/run/GradeRecording.h"
+#include "core/exercise/BuildId.h"
 #include "core/exercise/Replay.h"
 #include "db/PersonRepository.h"
 #include "db/RunRepository.h"
@@ -132,6 +133,19 @@ std::vector<std::string> RunFiling::fileNoted() {
                                : "The earlier run " + recording + " still cannot be filed: " + failed);
     }
     return messages;
+}
+
+core::RecordingHeader newHeader(const core::World& world, int level, std::string runType,
+                                std::string trainee) {
+    core::RecordingHeader header;
+    header.buildId = core::coreBuildId();
+    header.seed = world.seed;
+    header.level = level;
+    header.runType = std::move(runType);
+    header.trainee = std::move(trainee);
+    header.startedUnix_s = now().unix_s;
+    header.documents = world.documents;
+    return header;
 }
 
 std::filesystem::path newRecordingPath(const Store& store, const std::string& scenario) {

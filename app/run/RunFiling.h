@@ -13,6 +13,10 @@ namespace sagara::run {
 /// A name for a new recording in the data folder: time, scenario and a number.
 std::filesystem::path newRecordingPath(const Store& store, const std::string& scenario);
 
+/// The header of a recording of this exercise, begun now; nothing planned yet.
+core::RecordingHeader newHeader(const core::World& world, int level, std::string runType,
+                                std::string trainee);
+
 /// Enters runs into the database. None of these throws or stops a run: what cannot be filed is noted beside
 /// the recordings (recordings/*.unfiled) and filed by a later start.
 class RunFiling {

@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 #include "app/files/AssetSource.h"
+#include "app/files/BuildScenario.h"
 #include "app/files/Files.h"
-#include "app/files/FindScenario.h"
 #include "app/live/LiveRun.h"
 #include "app/live/SteppedRun.h"
 #include "app/run/CommandDelay.h"
@@ -44,17 +44,6 @@ std::optional<wall::Layout> findLayout(const WallRunOptions& options) {
     if (options.fullScreen) layout = wall::fullScreen(layout);
     if (options.offscreen) layout = wall::offscreen(layout);
     return layout;
-}
-
-std::shared_ptr<const core::World> findWorld(const Store& store, const WallRunOptions& options) {
-    const auto scenario = files::findScenario(store, options.scenario);
-    if (!scenario) return tell(scenario.error()), nullptr;
-    const auto documents =
-        core::collectDocuments({scenario->name, files::changed(scenario->text, options.changes)}, store);
-    if (!documents) return tell(documents.error().text()), nullptr;
-    auto world = core::buildWorld(*documents, options.seed);
-    if (!world) return tell(world.error().text()), nullptr;
-    return std::move(world).value();
 }
 
 /// sagara-view as installed or built beside this program.
@@ -266,8 +255,8 @@ int runWall(Store& store, const WallRunOptions& options) {
     if (!store.trouble().empty()) tell(store.trouble());
     auto layout = findLayout(options);
     if (!layout) return kBadRequest;
-    auto world = findWorld(store, options);
-    if (!world) return kBadRequest;
+    auto world = files::buildScenario(store, options.scenario, options.seed, options.changes);
+    if (!world) return tell(world.error()), kBadRequest;
     if (const fs::path view = viewProgram(options); !fs::exists(view))
         return tell("there is no " + view.string() + "; name the channel program with --view"), kBadRequest;
     if (options.shots) {
@@ -276,7 +265,7 @@ int runWall(Store& store, const WallRunOptions& options) {
         if (error)
             return tell("cannot make " + options.shots->string() + ": " + error.message()), kMachineFailed;
     }
-    WallRun run(options, std::move(*layout), std::move(world));
+    WallRun run(options, std::move(*layout), std::move(world).value());
     return run.run();
 }
 

@@ -3,8 +3,7 @@
 #include <QCloseEvent>
 #include <QMessageBox>
 
-#include "app/files/FindScenario.h"
-#include "core/exercise/Documents.h"
+#include "app/files/BuildScenario.h"
 #include "db/DocumentRepository.h"
 #include "ui/start/StartPage.h"
 #include "ui/trainer/TrainerDesk.h"
@@ -24,24 +23,14 @@ std::vector<ui::ScenarioEntry> scenariosOf(run::Store& store) {
     return entries;
 }
 
-core::Result<std::shared_ptr<const core::World>, std::string> look(const run::Store& store,
-                                                                   const std::string& id) {
-    auto scenario = files::findScenario(store, id);
-    if (!scenario) return scenario.error();
-    const auto documents = core::collectDocuments(std::move(scenario).value(), store);
-    if (!documents) return documents.error().text();
-    auto world = core::buildWorld(*documents, 1);
-    if (!world) return world.error().text();
-    return std::move(world).value();
-}
-
 }  // namespace
 
 Station::Station(run::Store& store, render::StageOptions stage)
     : m_store(store),
       m_stageOptions(std::move(stage)),
       m_start(new ui::StartPage(
-          scenariosOf(store), [&store](const std::string& id) { return look(store, id); }, this)) {
+          scenariosOf(store), [&store](const std::string& id) { return files::buildScenario(store, id); },
+          this)) {
     setWindowTitle(tr("Sagara"));
     addWidget(m_start);
     if (!store.trouble().empty()) m_start->setTrouble(QString::fromStdString(store.trouble()));

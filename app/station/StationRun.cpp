@@ -1,7 +1,6 @@
 #include "app/station/StationRun.h"
 
-#include "app/files/FindScenario.h"
-#include "core/exercise/BuildId.h"
+#include "app/files/BuildScenario.h"
 #include "db/PersonRepository.h"
 
 namespace sagara::station {
@@ -14,21 +13,9 @@ core::Result<std::unique_ptr<StationRun>, std::string> StationRun::open(run::Sto
         if (!name) return std::string(db::toText(name.error()));
         trainee = name.value();
     }
-    auto scenario = files::findScenario(store, request.scenario);
-    if (!scenario) return scenario.error();
-    const auto documents = core::collectDocuments(std::move(scenario).value(), store);
-    if (!documents) return documents.error().text();
-    auto world = core::buildWorld(*documents, request.seed);
-    if (!world) return world.error().text();
-
-    core::RecordingHeader header;
-    header.buildId = core::coreBuildId();
-    header.seed = request.seed;
-    header.level = request.level;
-    header.runType = request.type;
-    header.trainee = trainee;
-    header.startedUnix_s = run::now().unix_s;
-    header.documents = *documents;
+    auto world = files::buildScenario(store, request.scenario, request.seed);
+    if (!world) return world.error();
+    core::RecordingHeader header = run::newHeader(**world, request.level, request.type, trainee);
     if (request.pilot) header.planned.push_back({0, 0, core::PilotOrder{true}});
     std::string trouble;
     auto file = run::RecordingFile::open(run::newRecordingPath(store, (*world)->scenarioId), 0, trouble);

@@ -51,6 +51,7 @@ TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent
       m_stage(stage),
       m_chart(new ChartWidget(this)),
       m_bar(new RunBar(run, this)),
+      m_events(new EventBoard(run, this)),
       m_mission(new MissionPanel(run, this)),
       m_frames(new QTimer(this)),
       m_beat(new QTimer(this)) {
@@ -187,7 +188,7 @@ void TrainerDesk::addPanels() {
         return d;
     };
     QDockWidget* const mission = dock(tr("Mission"), QStringLiteral("mission"), m_mission);
-    QDockWidget* const events = dock(tr("Events"), QStringLiteral("events"), new EventBoard(m_run, this));
+    QDockWidget* const events = dock(tr("Events"), QStringLiteral("events"), m_events);
     tabifyDockWidget(mission, events);
     if (!m_run.world()->ships.empty()) {
         m_instruments = new Instruments(*m_run.world(), 0, this);
@@ -238,6 +239,10 @@ void TrainerDesk::refresh() {
     m_mission->refresh();
     if (m_instruments != nullptr) m_instruments->show(*now);
     if (m_helm != nullptr) m_helm->refresh();
+    if (m_run.over()) {  // no order is carried out any more
+        m_events->setEnabled(false);
+        if (m_helm != nullptr) m_helm->setEnabled(false);
+    }
     refreshChart(*now);
 }
 

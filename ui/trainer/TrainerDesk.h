@@ -52,6 +52,7 @@ private:
     RunBar* m_bar;
     Instruments* m_instruments = nullptr;
     HelmPanel* m_helm = nullptr;
+    EventBoard* m_events;
     MissionPanel* m_mission;
     QTimer* m_frames;
     QTimer* m_beat;

@@ -157,7 +157,7 @@ double ShipLight::seenFrom(double bearing_rad) const {
     return std::clamp(1.0 - outside / kCutOff_rad, 0.0, 1.0);
 }
 
-std::vector<ShipLight> lightsOf(const ShipForm& form, ShipActivity activity, bool makingWay) {
+std::vector<ShipLight> lightsOf(const ShipForm& form, core::Activity activity, bool makingWay) {
     using enum core::Activity;
     Lamps lamps(form);
     // Rule 27(g): what is under 12 m need not show that she is hampered.

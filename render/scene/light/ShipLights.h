@@ -22,10 +22,8 @@ struct ShipLight {
     double seenFrom(double relativeBearing_rad) const;
 };
 
-using ShipActivity = core::Activity;
-
 /// Lights she shows at night, after rules 23 to 30. `makingWay`: through the water; who fishes, is not under
 /// command or restricted shows no side and stern lights without it.
-std::vector<ShipLight> lightsOf(const ShipForm& form, ShipActivity activity, bool makingWay = true);
+std::vector<ShipLight> lightsOf(const ShipForm& form, core::Activity activity, bool makingWay = true);
 
 }  // namespace sagara::render

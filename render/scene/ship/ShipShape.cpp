@@ -291,7 +291,7 @@ ShipShape Builder::build() {
     }
     if (f.length_m < kLow_m) shape.lid = hullLid(f);
     // Staffs for the lights on her centreline that no mast carries.
-    for (const ShipLight& light : lightsOf(f, ShipActivity::UnderWay)) {
+    for (const ShipLight& light : lightsOf(f, core::Activity::UnderWay)) {
         const Point p = light.position;
         if (p.y == 0.0) shape.upperworks.bar({p.x, 0, deck(p.x)}, {p.x, 0, p.up + 0.25}, 0.06, kSteel, 4);
     }

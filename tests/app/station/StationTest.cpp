@@ -86,11 +86,11 @@ TEST_F(StationWindow, ARunIsStartedFrozenHastenedAndEnded) {
     EXPECT_EQ(start->text(), QStringLiteral("Start"));
     EXPECT_EQ(m_station->run()->latest()->tick, 0);
     QTest::mouseClick(start, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(m_station->run()->latest()->tick > 10, 10'000);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return m_station->run()->latest()->tick > 10; }, 10'000));
     auto* const rate = find<QComboBox>("rate");
     rate->setCurrentIndex(rate->findData(20));
     EXPECT_EQ(m_station->run()->rate(), 20.0);
-    QTRY_VERIFY_WITH_TIMEOUT(m_station->run()->latest()->time().seconds() > 5.0, 10'000);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return m_station->run()->latest()->time().seconds() > 5.0; }, 10'000));
     m_station->desk()->refresh();
     EXPECT_EQ(start->text(), QStringLiteral("Freeze"));
     keepPicture("desk.png");
@@ -123,15 +123,16 @@ TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
     EXPECT_FALSE(find<QPushButton>("event-rain-squall")->isEnabled());
     find<QCheckBox>("fault-jam")->setChecked(true);
     StationRun& run = *m_station->run();
-    QTRY_VERIFY_WITH_TIMEOUT(run.latest()->ships[0].rudderOrder_rad > 0.3, 10'000);
-    QTRY_VERIFY_WITH_TIMEOUT((m_station->desk()->refresh(), logSays(QStringLiteral("rain squall"))), 10'000);
-    QTRY_VERIFY_WITH_TIMEOUT((m_station->desk()->refresh(), logSays(QStringLiteral("rudder jammed"))),
-                             10'000);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run.latest()->ships[0].rudderOrder_rad > 0.3; }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (m_station->desk()->refresh(), logSays(QStringLiteral("rain squall"))); }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (m_station->desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); }, 10'000));
     QTest::mouseClick(find<QPushButton>("apply-weather"), Qt::LeftButton);
     auto* const difficulty = find<QComboBox>("difficulty");
     difficulty->setCurrentIndex(4);
     Q_EMIT difficulty->activated(4);
-    QTRY_VERIFY_WITH_TIMEOUT(run.latest()->level == 5, 10'000);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run.latest()->level == 5; }, 10'000));
 }
 
 TEST_F(StationWindow, ThePilotSailsTheLessonFromTheDesk) {
@@ -143,10 +144,23 @@ TEST_F(StationWindow, ThePilotSailsTheLessonFromTheDesk) {
     StationRun& run = *m_station->run();
     run.setRate(20.0);
     run.start();
-    QTRY_VERIFY_WITH_TIMEOUT(run.latest()->tasks[0].done, 60'000);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run.latest()->tasks[0].done; }, 60'000));
     m_station->desk()->refresh();
     EXPECT_TRUE(find<QListWidget>("tasks")->item(0)->text().startsWith(QStringLiteral("✓")));
     keepPicture("desk-under-way.png");
+}
+
+TEST_F(StationWindow, AfterTheEndNothingCanBeOrdered) {
+    openDesk();
+    StationRun& run = *m_station->run();
+    run.give(0, core::FinishOrder{});
+    QTest::mouseClick(find<QPushButton>("start"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run.over(); }, 10'000));
+    m_station->desk()->refresh();
+    EXPECT_FALSE(find<QPushButton>("start")->isEnabled());
+    EXPECT_FALSE(find<QSlider>("rudder")->isEnabled());
+    EXPECT_FALSE(find<QPushButton>("apply-weather")->isEnabled());
+    EXPECT_TRUE(find<QPushButton>("end")->isEnabled());
 }
 
 TEST_F(StationWindow, AScenarioThatIsNotThereIsAMessage) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <random>
 
+#include "ShapeExtent.h"
 #include "render/scene/Picture.h"
 #include "render/scene/ship/Fleet.h"
 #include "tests/support/Assets.h"
@@ -91,21 +92,6 @@ protected:
     fs::path folder;
     core::Picture barge;
 };
-
-struct Extent {
-    Point low{1e9, 1e9, 1e9};
-    Point high{-1e9, -1e9, -1e9};
-};
-Extent extentOf(const Solid& s) {
-    Extent e;
-    for (const SolidVertex& v : s.vertices) {
-        e.low = {std::min(e.low.x, v.position.x), std::min(e.low.y, v.position.y),
-                 std::min(e.low.up, v.position.up)};
-        e.high = {std::max(e.high.x, v.position.x), std::max(e.high.y, v.position.y),
-                  std::max(e.high.up, v.position.up)};
-    }
-    return e;
-}
 
 TEST_F(ModelFile, IsTurnedAndFittedToTheLengthOfTheShip) {
     barge.waterline_m = 0.5;

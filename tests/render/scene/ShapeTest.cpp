@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ShapeExtent.h"
 #include "render/scene/light/MarkShape.h"
 #include "render/scene/sea/Wake.h"
 #include "render/scene/ship/ShipShape.h"
@@ -10,21 +11,6 @@
 
 namespace sagara::render {
 namespace {
-
-struct Extent {
-    Point low{1e9, 1e9, 1e9};
-    Point high{-1e9, -1e9, -1e9};
-};
-Extent extentOf(const Solid& s) {
-    Extent e;
-    for (const SolidVertex& v : s.vertices) {
-        e.low = {std::min(e.low.x, v.position.x), std::min(e.low.y, v.position.y),
-                 std::min(e.low.up, v.position.up)};
-        e.high = {std::max(e.high.x, v.position.x), std::max(e.high.y, v.position.y),
-                  std::max(e.high.up, v.position.up)};
-    }
-    return e;
-}
 
 /// The lesson's ship and every type of target, each 40 m long.
 std::vector<ShipForm> allForms() {
