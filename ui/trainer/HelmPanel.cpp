@@ -77,17 +77,19 @@ HelmPanel::HelmPanel(ExerciseRun& run, std::uint8_t ship, QWidget* parent)
     m_rudder->setPageStep(5);
     m_rudder->setToolTip(tr("Rudder order, %1° each way").arg(limit_deg));
     auto* const midships = new QPushButton(tr("Midships"), this);
-    auto* const rudder = new QHBoxLayout;
-    rudder->addWidget(m_rudder);
-    rudder->addWidget(m_order);
-    rudder->addWidget(midships);
-    m_order->setMinimumWidth(m_order->fontMetrics().horizontalAdvance(QStringLiteral("S 00°")));
-    form->addRow(tr("Rudder"), rudder);
+    auto* const order = new QHBoxLayout;
+    order->addWidget(m_order);
+    order->addStretch();
+    order->addWidget(midships);
+    form->addRow(tr("Rudder"), order);
+    form->addRow(m_rudder);  // all the width there is
 
     const auto& units = vessel.propulsion.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         auto* const telegraph = new QComboBox(this);
         telegraph->setObjectName(QStringLiteral("telegraph-%1").arg(i));
+        telegraph->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        telegraph->setMinimumContentsLength(10);  // the panel is narrow
         for (int step = static_cast<int>(core::kTelegraphSteps) - 1; step >= 0; --step)
             telegraph->addItem(stepName(static_cast<TelegraphStep>(step)), step);
         form->addRow(tr("Telegraph, %1").arg(QString::fromStdString(units[i].id)), telegraph);

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -63,6 +64,7 @@ protected:
         return false;
     }
     void keepPicture(const char* name) {
+        QApplication::processEvents();  // what was raised is laid out
         if (const char* folder = std::getenv("SAGARA_UI_PICTURES"))
             m_station->grab().save(QString::fromUtf8(folder) + QLatin1Char('/') + QString::fromLatin1(name));
     }
@@ -103,7 +105,8 @@ TEST_F(StationWindow, ARunIsStartedFrozenHastenedAndEnded) {
     auto* const result = find<QMessageBox>("result");
     EXPECT_TRUE(result->text().contains(QStringLiteral("Basic Navigation: not passed")))
         << result->text().toStdString();
-    keepPicture("result.png");
+    if (const char* folder = std::getenv("SAGARA_UI_PICTURES"))
+        result->grab().save(QString::fromUtf8(folder) + QStringLiteral("/result.png"));
     result->close();
     const auto bytes = files::readBinaryFile(recording);
     ASSERT_TRUE(bytes) << bytes.error().message;
@@ -129,6 +132,8 @@ TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return (m_station->desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); }, 10'000));
     QTest::mouseClick(find<QPushButton>("apply-weather"), Qt::LeftButton);
+    for (const char* dock : {"events", "helm"}) find<QDockWidget>(dock)->raise();
+    keepPicture("desk-events.png");
     auto* const difficulty = find<QComboBox>("difficulty");
     difficulty->setCurrentIndex(4);
     Q_EMIT difficulty->activated(4);
