@@ -6,18 +6,10 @@
 #include "app/live/LiveRun.h"
 #include "app/run/RecordingFile.h"
 #include "app/run/RunFiling.h"
+#include "app/station/RunRequest.h"
 #include "ui/run/ExerciseRun.h"
 
 namespace sagara::station {
-
-struct RunRequest {
-    std::string scenario;  ///< id or file
-    int level = 3;
-    std::uint64_t seed = 1;
-    std::string type = "train";  ///< as db::RunType
-    std::string trainee;         ///< empty: nobody named
-    bool pilot = false;          ///< the scripted pilot has the ship at the start
-};
 
 /// An exercise of the station: runs live, is recorded from its first tick, and is listed in the database.
 class StationRun final : public ui::ExerciseRun {

@@ -3,10 +3,9 @@
 #include <QColor>
 
 #include "ui/chart/Marks.h"
+#include "ui/theme/PaletteName.h"
 
 namespace sagara::ui {
-
-enum class PaletteName { Day, Dusk, Night };
 
 /// Colours of the chart, in the manner of the IHO's S-52 tables: blue shades get paler as it gets deeper by
 /// day and darker by night. Words keep a contrast of 4.5 to 1 with what is behind them (a test sees to it).
