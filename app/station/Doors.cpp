@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 
 #include "app/files/BuildScenario.h"
+#include "app/station/BrokenOff.h"
+#include "app/station/DeskPage.h"
 #include "app/station/Station.h"
 #include "db/DocumentRepository.h"
 #include "ui/start/HomePage.h"
@@ -39,6 +41,36 @@ ui::Page* lessonPage(Frame& frame) {
     return page;
 }
 
+QString tr(const char* text);
+
+/// Of a run that was broken off: resume it, file it as it stands, or decide at the next start.
+void offerToGoOn(Station& station, ui::HomePage& home, const BrokenOff& run) {
+    const auto resume = [&station, &home, run] {
+        auto taken = StationRun::takeUp(station.store(), run.recording);
+        if (!taken) return home.addNotice(QString::fromStdString(taken.error()));
+        station.openPage(new DeskPage(station, std::move(taken).value()));
+    };
+    const auto file = [&station, &home, run] {
+        const std::string failed = run::RunFiling(station.store()).fileAsItStands(run.recording);
+        if (!failed.empty()) home.addNotice(QString::fromStdString(failed));
+    };
+    std::vector<ui::Room> ways;
+    if (run.canGoOn)
+        ways.push_back({tr("Resume"),
+                        tr("Open the desk at the last saved second; the run stands still there"),
+                        QStringLiteral("resume"), resume});
+    ways.push_back({tr("File as it stands"),
+                    tr("It is graded up to its last saved second and listed as aborted"),
+                    QStringLiteral("file-broken"), file});
+    ways.push_back({tr("Later"), tr("Offered again at the next start"), QStringLiteral("later"), [] {}});
+    const QString who = run.trainee.empty() ? tr("nobody named") : QString::fromStdString(run.trainee);
+    home.addNotice(tr("A run was broken off: %1, %2, begun %3, saved up to %4.")
+                       .arg(QString::fromStdString(run.scenarioName), who,
+                            QString::fromStdString(core::formatUtc(run.started)),
+                            QString::fromStdString(run::clock(run.sailed_s))),
+                   std::move(ways));
+}
+
 QString tr(const char* text) { return QCoreApplication::translate("Doors", text); }
 
 }  // namespace
@@ -54,6 +86,9 @@ ui::Page* homePage(Station& station) {
                      {{tr("Run a lesson"), tr("Choose an exercise and open the trainer's desk"),
                        QStringLiteral("door-lesson"), open(lessonPage)}}});
     auto* const home = new ui::HomePage(std::move(doors));
+    for (const std::string& message : run::RunFiling(station.store()).fileNoted())
+        home->addNotice(QString::fromStdString(message));
+    for (const BrokenOff& run : brokenOffRuns(station.store())) offerToGoOn(station, *home, run);
     if (!station.store().trouble().empty())
         home->addNotice(QString::fromStdString(station.store().trouble()));
     return home;
@@ -62,8 +97,6 @@ ui::Page* homePage(Station& station) {
 ui::Page* settingsPageOf(Station& station) { return homePage(station); }
 void showAbout(Station&, QWidget*) {}
 QWidget* traineeWindow(Frame&, StationRun&) { return nullptr; }
-void showResult(Frame& frame, StationRun&, const run::RunSummary&) {
-    frame.replacePage(lessonPage(frame));
-}
+void showResult(Frame& frame, StationRun&, const run::RunSummary&) { frame.replacePage(lessonPage(frame)); }
 
 }  // namespace sagara::station

@@ -14,7 +14,7 @@ namespace sagara::ui {
 namespace {
 
 constexpr int kBeat_ms = 500;
-enum Column { Name, State, Rate, Drawn, Skew, Lost, Restart, Columns };
+enum Column { Name, Rate, Drawn, Skew, Lost, Restart, Columns };
 
 QString number(double value, int decimals) { return QLocale::c().toString(value, 'f', decimals); }
 
@@ -51,21 +51,20 @@ WallPanel::WallPanel(WallControl& wall, QWidget* parent)
 
     m_channels->setObjectName(QStringLiteral("wall-channels"));
     m_channels->setHorizontalHeaderLabels(
-        {tr("Channel"), tr("State"), tr("1/s"), tr("ms"), tr("Skew"), tr("Lost"), QString()});
-    const QString tips[] = {tr("Name in the layout"),
-                            tr("In step: waited for and shown together with the others"),
-                            tr("Frames shown a second"),
-                            tr("Milliseconds from a frame being sent to its being drawn"),
-                            tr("Milliseconds behind the first channel to show the frame"),
-                            tr("How often it fell out of step")};
+        {tr("Channel"), tr("1/s"), tr("ms"), tr("Skew"), tr("Lost"), QString()});
+    const QString tips[] = {
+        tr("Name in the layout, and whether it is in step: shown together with the others"),
+        tr("Frames shown a second"), tr("Milliseconds from a frame being sent to its being drawn"),
+        tr("Milliseconds behind the first channel to show the frame"), tr("How often it fell out of step")};
     for (int i = 0; i < Restart; ++i) m_channels->horizontalHeaderItem(i)->setToolTip(tips[i]);
     m_channels->verticalHeader()->hide();
     m_channels->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_channels->setSelectionMode(QAbstractItemView::NoSelection);
     m_channels->setFocusPolicy(Qt::NoFocus);
     m_channels->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_channels->horizontalHeader()->setSectionResizeMode(State, QHeaderView::Stretch);
+    m_channels->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
     m_channels->horizontalHeader()->setMinimumSectionSize(20);
+    m_channels->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().height() + 8);
 
     auto* const form = new QFormLayout;
     form->addRow(tr("Layout"), m_layout);
@@ -152,12 +151,12 @@ void WallPanel::fill(const WallControl::Status& status) {
     }
     for (int row = 0; row < rows; ++row) {
         const WallControl::Channel& c = status.channels[static_cast<std::size_t>(row)];
-        const QString texts[] = {QString::fromStdString(c.name), QString::fromStdString(c.state),
-                                 number(c.rate_Hz, 1),           number(c.drawn_ms, 0),
-                                 number(c.skew_ms, 1),           QString::number(c.timesLost)};
+        const QString texts[] = {
+            QStringLiteral("%1\n%2").arg(QString::fromStdString(c.name), QString::fromStdString(c.state)),
+            number(c.rate_Hz, 1), number(c.drawn_ms, 0), number(c.skew_ms, 1), QString::number(c.timesLost)};
         for (int column = 0; column < Restart; ++column)
             m_channels->item(row, column)->setText(texts[column]);
-        m_channels->item(row, State)->setToolTip(QString::fromStdString(c.reason));
+        m_channels->item(row, Name)->setToolTip(QString::fromStdString(c.reason));
     }
     while (m_notes->count() > static_cast<int>(status.notes.size())) delete m_notes->takeItem(0);
     for (int i = 0; i < static_cast<int>(status.notes.size()); ++i) {

@@ -8,6 +8,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -16,9 +17,11 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/files/BuildScenario.h"
 #include "app/files/Files.h"
 #include "app/station/DeskPage.h"
 #include "core/exercise/Replay.h"
+#include "core/exercise/Session.h"
 #include "db/RunRepository.h"
 #include "ui/start/StartPage.h"
 #include "ui/trainer/RunBar.h"
@@ -217,6 +220,41 @@ TEST_F(StationWindow, ARunThatWasBrokenOffIsTakenUp) {
     EXPECT_GE((*taken)->latest()->time().seconds(), 10.0);
     EXPECT_FALSE((*taken)->running());
     EXPECT_FALSE((*taken)->sailedBefore().empty());
+}
+
+TEST_F(StationWindow, TheNextStartOffersToResume) {
+    const std::string name = "recordings/killed.sgr";
+    {
+        auto world = files::buildScenario(*m_store, "basic-navigation");
+        ASSERT_TRUE(world);
+        const fs::path path = m_store->folder().pathOf(name);
+        run::RunFiling filing(*m_store);
+        const auto header = run::newHeader(**world, 3, "train", "Nimal Perera");
+        std::string trouble;
+        auto file = run::RecordingFile::open(path, 0, trouble);
+        ASSERT_TRUE(file) << trouble;
+        core::RecordingWriter writer([&](std::span<const std::byte> bytes) { file->write(bytes); });
+        core::State start = core::startState(**world, 3);
+        writer.begin(header, **world, start);
+        ASSERT_EQ(filing.begin(filing.newRun(header, **world, path)), "");
+        core::Session session(*world, std::move(start), {}, &writer);
+        for (int i = 0; i < 12 * core::kTicksPerSecond + 7; ++i) (void)session.step();
+    }  // killed: no end
+    Station next(*m_store, render::StageOptions{SAGARA_ASSETS, render::Preset::Low, true});
+    next.show();
+    QApplication::processEvents();
+    auto* const text = next.findChild<QLabel*>(QStringLiteral("notice-text"));
+    ASSERT_NE(text, nullptr);
+    EXPECT_TRUE(text->text().contains(QStringLiteral("Nimal Perera")) &&
+                text->text().contains(QStringLiteral(" 00:12")))
+        << text->text().toStdString();
+    if (const char* folder = std::getenv("SAGARA_UI_PICTURES"))
+        next.grab().save(QString::fromUtf8(folder) + QStringLiteral("/resume.png"));
+    QTest::mouseClick(next.findChild<QPushButton*>(QStringLiteral("resume")), Qt::LeftButton);
+    auto* const desk = dynamic_cast<DeskPage*>(next.page());
+    ASSERT_NE(desk, nullptr);
+    EXPECT_EQ(desk->run().latest()->tick, 12 * core::kTicksPerSecond);
+    EXPECT_EQ(desk->run().header().trainee, "Nimal Perera");
 }
 
 TEST_F(StationWindow, TheWallIsStartedAndStoppedFromTheDesk) {
