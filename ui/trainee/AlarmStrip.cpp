@@ -48,8 +48,9 @@ void AlarmStrip::refresh() {
     const QColor back = texts.isEmpty() ? c.surface : sounds ? c.alarm : c.section;
     const QColor ink = texts.isEmpty() ? c.quietText : sounds ? c.onAlarm : c.text;
     const QString words = texts.isEmpty() ? tr("No alarms") : texts.join(QStringLiteral("   ·   "));
-    const QString style = QStringLiteral("QLabel { background: %1; color: %2; padding: 3px 10px; border-radius: 4px; "
-                                         "font-weight: bold; border: 1px solid %3; }")
+    const QString style = QStringLiteral(
+                              "QLabel { background: %1; color: %2; padding: 3px 10px; border-radius: 4px; "
+                              "font-weight: bold; border: 1px solid %3; }")
                               .arg(back.name(), ink.name(), texts.isEmpty() ? c.line.name() : c.alarm.name());
     if (m_text->text() != words) m_text->setText(words);
     if (m_text->toolTip() != words) m_text->setToolTip(words);

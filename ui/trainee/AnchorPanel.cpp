@@ -21,7 +21,8 @@ QString statusText(const core::AnchorState& anchor) {
         case core::AnchorStatus::Running:
             return AnchorPanel::tr("running out");
         case core::AnchorStatus::Held:
-            return anchor.onBottom ? AnchorPanel::tr("brake on") : AnchorPanel::tr("brake on, off the bottom");
+            return anchor.onBottom ? AnchorPanel::tr("brake on")
+                                   : AnchorPanel::tr("brake on, off the bottom");
         case core::AnchorStatus::Veering:
             return AnchorPanel::tr("veering");
         case core::AnchorStatus::Heaving:
@@ -97,9 +98,8 @@ void AnchorPanel::addRow(std::size_t anchor) {
 }
 
 void AnchorPanel::order(std::size_t anchor, core::AnchorAction action) {
-    const double cable_m = action == core::AnchorAction::HeaveIn
-                               ? 0.0
-                               : m_rows[anchor].shackles->value() * core::kShackle_m;
+    const double cable_m =
+        action == core::AnchorAction::HeaveIn ? 0.0 : m_rows[anchor].shackles->value() * core::kShackle_m;
     m_run.give(m_ship, core::AnchorOrder{static_cast<std::uint8_t>(anchor), action, cable_m});
 }
 

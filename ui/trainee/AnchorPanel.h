@@ -31,7 +31,7 @@ private:
     struct Row {
         QLabel* state;
         TensionBar* strain;
-        QDoubleSpinBox* shackles;  ///< brake on at
+        QDoubleSpinBox* shackles;           ///< brake on at
         std::vector<QToolButton*> buttons;  ///< in the order of core::AnchorAction
     };
     ExerciseRun& m_run;

@@ -7,8 +7,9 @@
 namespace sagara::ui::console {
 
 DepthGauge::DepthGauge(QWidget* parent) : Gauge(tr("Under keel m"), 1.3, parent) {
-    setToolTip(tr("Water under the transducer at the keel in metres, by echo sounder; alarm at the depth set "
-                  "there. Cut off, never rounded up"));
+    setToolTip(
+        tr("Water under the transducer at the keel in metres, by echo sounder; alarm at the depth set "
+           "there. Cut off, never rounded up"));
 }
 
 void DepthGauge::setDepth(std::optional<double> underKeel_m, double alarm_m) {

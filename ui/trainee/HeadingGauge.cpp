@@ -16,8 +16,9 @@ double degrees(double rad) { return rad / core::kDegree_rad; }
 }  // namespace
 
 HeadingGauge::HeadingGauge(QWidget* parent) : Gauge(tr("Heading °T"), 2.5, parent) {
-    setToolTip(tr("True heading in degrees; open arrow: course over the ground; filled arrow: heading the "
-                  "autopilot steers; below: rate of turn in degrees a minute"));
+    setToolTip(
+        tr("True heading in degrees; open arrow: course over the ground; filled arrow: heading the "
+           "autopilot steers; below: rate of turn in degrees a minute"));
 }
 
 void HeadingGauge::setHeading(double heading_rad, double turn_radps) {
@@ -82,8 +83,8 @@ void HeadingGauge::drawTurn(QPainter& painter, const QRectF& box) const {
 void HeadingGauge::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRectF box = drawFrame(painter);
-    const QString digits =
-        QStringLiteral("%1").arg(std::fmod(degrees(core::wrapTwoPi(m_heading_rad)), 359.95), 5, 'f', 1, QLatin1Char('0'));
+    const QString digits = QStringLiteral("%1").arg(
+        std::fmod(degrees(core::wrapTwoPi(m_heading_rad)), 359.95), 5, 'f', 1, QLatin1Char('0'));
     drawWords(painter, QRectF(box.left(), box.top() - 13.0 * unit(), box.width(), 27.0 * unit()),
               Qt::AlignCenter, digits, 27.0 * unit(), colours().text, true);
     drawTape(painter, QRectF(box.left(), box.top() + 18.0 * unit(), box.width(), 32.0 * unit()));

@@ -16,7 +16,8 @@ constexpr double kHalfSweep_rad = 62.0 * core::kDegree_rad;  ///< of the arc, fo
 
 }  // namespace
 
-HelmWheel::HelmWheel(double limit_rad, QWidget* parent) : Gauge(tr("Helm"), 1.6, parent), m_limit_rad(limit_rad) {
+HelmWheel::HelmWheel(double limit_rad, QWidget* parent)
+    : Gauge(tr("Helm"), 1.6, parent), m_limit_rad(limit_rad) {
     setObjectName(QStringLiteral("helm"));
     setFocusPolicy(Qt::StrongFocus);
     setToolTip(tr("Rudder order, %1° each way: drag, mouse wheel a degree, double click midships; "
@@ -89,14 +90,16 @@ void HelmWheel::paintEvent(QPaintEvent*) {
                          at(rudder_rad, a.radius - 0.5 * wide - (ten ? 5.0 : 3.0) * unit()));
         if (!ten) continue;
         const QPointF word = at(rudder_rad, a.radius - 0.5 * wide - 11.0 * unit());
-        drawWords(painter, QRectF(word.x() - 12.0 * unit(), word.y() - 6.0 * unit(), 24.0 * unit(), 12.0 * unit()),
+        drawWords(painter,
+                  QRectF(word.x() - 12.0 * unit(), word.y() - 6.0 * unit(), 24.0 * unit(), 12.0 * unit()),
                   Qt::AlignCenter, QString::number(std::abs(tick)), 8.5 * unit(), colours().quietText);
     }
     painter.setPen(QPen(hasFocus() ? colours().focus : colours().surface, 2.0));
     painter.setBrush(colours().setValue);
     painter.drawEllipse(at(m_order_rad, a.radius), 8.0 * unit(), 8.0 * unit());
     drawWords(painter, QRectF(0.0, height() - 29.0 * unit(), width(), 16.0 * unit()), Qt::AlignCenter,
-              tr("%1°").arg(sided(m_order_rad / core::kDegree_rad, 0)), 15.0 * unit(), colours().setValue, true);
+              tr("%1°").arg(sided(m_order_rad / core::kDegree_rad, 0)), 15.0 * unit(), colours().setValue,
+              true);
     drawWords(painter, QRectF(0.0, height() - 14.0 * unit(), width(), 11.0 * unit()), Qt::AlignCenter,
               tr("rudder %1°").arg(sided(m_rudder_rad / core::kDegree_rad, 0)), 9.5 * unit(), colours().text);
 }

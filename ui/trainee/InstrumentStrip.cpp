@@ -44,7 +44,8 @@ InstrumentStrip::InstrumentStrip(const core::World& world, std::size_t ship, QWi
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(3);
-    for (Gauge* gauge : std::initializer_list<Gauge*>{m_heading, m_speed, m_rudder, m_shafts, m_wind, m_depth, m_clock})
+    for (Gauge* gauge :
+         std::initializer_list<Gauge*>{m_heading, m_speed, m_rudder, m_shafts, m_wind, m_depth, m_clock})
         row->addWidget(gauge, gauge->sizeHint().width());
 }
 

@@ -75,7 +75,8 @@ void LinePanel::addRow(std::size_t line) {
         button->setCheckable(i != 3);
         button->setObjectName(QStringLiteral("line-%1-%2").arg(line).arg(i));
         connect(button, &QToolButton::clicked, this, [this, line, i] {
-            m_run.give(m_ship, core::LineOrder{static_cast<std::uint8_t>(line), static_cast<core::LineAction>(i)});
+            m_run.give(m_ship,
+                       core::LineOrder{static_cast<std::uint8_t>(line), static_cast<core::LineAction>(i)});
         });
         grid->addWidget(button, at, 3 + static_cast<int>(i));
         row.buttons.push_back(button);
@@ -91,9 +92,9 @@ void LinePanel::show(const core::OwnShipView& ship) {
     for (std::size_t i = 0; i < std::min(m_rows.size(), ship.lines.size()); ++i) {
         const core::LineState& line = ship.lines[i];
         const Row& row = m_rows[i];
-        const QString text =
-            line.onBollard() ? tr("%1, %2 m").arg(statusText(line.status)).arg(line.length_m, 0, 'f', 0)
-                             : statusText(line.status);
+        const QString text = line.onBollard()
+                                 ? tr("%1, %2 m").arg(statusText(line.status)).arg(line.length_m, 0, 'f', 0)
+                                 : statusText(line.status);
         if (row.state->text() != text) row.state->setText(text);
         row.tension->setTension(line.tension_N);
         for (QToolButton* button : row.buttons) button->setEnabled(line.onBollard());

@@ -96,9 +96,10 @@ void RadarPage::addControls(QWidget* panel) {
         column->addWidget(box);
         return box;
     };
-    connect(check(tr("Rings"), QStringLiteral("radar-rings"), tr("Fixed range rings"), true), &QCheckBox::toggled,
-            m_view, &RadarView::setRings);
-    connect(check(tr("Heading line"), QStringLiteral("radar-heading-line"), tr("Line from the ship right ahead"), true),
+    connect(check(tr("Rings"), QStringLiteral("radar-rings"), tr("Fixed range rings"), true),
+            &QCheckBox::toggled, m_view, &RadarView::setRings);
+    connect(check(tr("Heading line"), QStringLiteral("radar-heading-line"),
+                  tr("Line from the ship right ahead"), true),
             &QCheckBox::toggled, m_view, &RadarView::setHeadingLine);
     auto* const line = check(tr("EBL"), QStringLiteral("radar-ebl"),
                              tr("Electronic bearing line: drag it, or click where it is to go"), false);
@@ -119,7 +120,8 @@ void RadarPage::addControls(QWidget* panel) {
     m_cursor->setObjectName(QStringLiteral("radar-cursor"));
     column->addWidget(new QLabel(tr("Cursor"), panel));
     column->addWidget(m_cursor);
-    m_cursor->setMinimumWidth(m_cursor->fontMetrics().horizontalAdvance(QStringLiteral("000°T  S 000° rel.  ")));
+    m_cursor->setMinimumWidth(
+        m_cursor->fontMetrics().horizontalAdvance(QStringLiteral("000°T  S 000° rel.  ")));
     column->addStretch();
 }
 
@@ -144,7 +146,8 @@ void RadarPage::advance(core::SimTime time, const core::Snapshot& now) {
 
 QString RadarPage::bearingText(double bearing_rad) const {
     const double relative_deg = core::wrapPi(bearing_rad - m_heading_rad) / core::kDegree_rad;
-    const QString number = QStringLiteral("%1").arg(std::lround(std::abs(relative_deg)), 3, 10, QLatin1Char('0'));
+    const QString number =
+        QStringLiteral("%1").arg(std::lround(std::abs(relative_deg)), 3, 10, QLatin1Char('0'));
     return tr("%1°T  %2 %3° rel.")
         .arg(chart::bearing(core::wrapTwoPi(bearing_rad + m_convergence_rad) / core::kDegree_rad),
              relative_deg < 0.0 ? tr("P") : tr("S"), number);

@@ -23,14 +23,16 @@ void RadarScanner::setRange(double range_m) {
 std::vector<core::RadarObject> RadarScanner::objectsNow(const core::Snapshot& now) const {
     std::vector<core::RadarObject> objects = m_marks;
     for (const core::TargetView& t : now.targets)
-        objects.push_back(core::radarObjectOf(m_world.targets[t.index], t.position, t.heading_rad));
+        objects.push_back(
+            core::radarObjectOf(core::targetLayout(m_world, now.added, t.index), t.position, t.heading_rad));
     for (std::size_t i = 0; i < now.ships.size(); ++i) {
         if (i == m_ship) continue;
         const core::Hull& hull = m_world.ships[i]->vessel.hull;
         core::TargetLayout other;
         other.length_m = hull.lengthOverall_m;
         other.beam_m = hull.beam_m;
-        objects.push_back(core::radarObjectOf(other, now.ships[i].motion.position(), now.ships[i].motion.heading_rad));
+        objects.push_back(
+            core::radarObjectOf(other, now.ships[i].motion.position(), now.ships[i].motion.heading_rad));
     }
     return objects;
 }

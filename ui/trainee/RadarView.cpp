@@ -154,8 +154,10 @@ void RadarView::drawEchoes(QPainter& painter) {
         auto* const line = reinterpret_cast<QRgb*>(m_image.scanLine(y));
         for (int x = 0; x < side; ++x, ++i) {
             const std::uint32_t at = m_table[i];
-            line[x] = at == kOutside ? outside
-                                     : shades[at >> kCellBits][rows[at >> kCellBits][at & (core::RadarPicture::kCells - 1)]];
+            line[x] =
+                at == kOutside
+                    ? outside
+                    : shades[at >> kCellBits][rows[at >> kCellBits][at & (core::RadarPicture::kCells - 1)]];
         }
     }
     const double r = radius_px();
@@ -185,7 +187,8 @@ void RadarView::drawScale(QPainter& painter) const {
     if (m_rings) {
         painter.setPen(QPen(c.ring, 1.0));
         const double step_px = ringStep_m(m_picture->range_m) / m_picture->range_m * r;
-        for (double ring = step_px; ring < r - 1.0; ring += step_px) painter.drawEllipse(centre(), ring, ring);
+        for (double ring = step_px; ring < r - 1.0; ring += step_px)
+            painter.drawEllipse(centre(), ring, ring);
     }
     if (m_headingLine) {
         painter.setPen(QPen(c.scale, 1.4));
@@ -212,11 +215,17 @@ void RadarView::drawTools(QPainter& painter) const {
     }
     painter.setPen(c.scale);
     const QString scale = tr("%1 M").arg(chart::shortNumber(m_picture->range_m / core::kNauticalMile_m, 2));
-    const QString rings = tr("rings %1 M").arg(chart::shortNumber(ringStep_m(m_picture->range_m) / core::kNauticalMile_m, 3));
-    const QString up = m_up == Up::Head ? tr("Head up") : m_up == Up::North ? tr("North up") : tr("Course up");
+    const QString rings =
+        tr("rings %1 M").arg(chart::shortNumber(ringStep_m(m_picture->range_m) / core::kNauticalMile_m, 3));
+    const QString up = m_up == Up::Head    ? tr("Head up")
+                       : m_up == Up::North ? tr("North up")
+                                           : tr("Course up");
     const QRectF corner = QRectF(rect()).adjusted(6.0, 4.0, -6.0, -4.0);
-    painter.drawText(corner, Qt::AlignLeft | Qt::AlignTop, scale + QLatin1Char('\n') + (m_rings ? rings : QString()));
-    painter.drawText(corner, Qt::AlignRight | Qt::AlignTop, up + QLatin1Char('\n') + tr("HDG %1°T").arg(trueText(m_heading_rad + m_convergence_rad)));
+    painter.drawText(corner, Qt::AlignLeft | Qt::AlignTop,
+                     scale + QLatin1Char('\n') + (m_rings ? rings : QString()));
+    painter.drawText(
+        corner, Qt::AlignRight | Qt::AlignTop,
+        up + QLatin1Char('\n') + tr("HDG %1°T").arg(trueText(m_heading_rad + m_convergence_rad)));
 }
 
 void RadarView::paintEvent(QPaintEvent*) {
@@ -244,7 +253,8 @@ void RadarView::mousePressEvent(QMouseEvent* event) {
     const Polar at = polarAt(event->position());
     const double perMetre = radius_px() / m_picture->range_m;
     const bool onMarker = m_vrm_m && std::abs(at.range_m - *m_vrm_m) * perMetre < kGrab_px;
-    const bool onLine = m_ebl_rad && std::abs(core::wrapPi(at.bearing_rad - *m_ebl_rad)) * at.range_m * perMetre < kGrab_px;
+    const bool onLine =
+        m_ebl_rad && std::abs(core::wrapPi(at.bearing_rad - *m_ebl_rad)) * at.range_m * perMetre < kGrab_px;
     m_dragsLine = m_ebl_rad && (onLine || !onMarker);
     m_dragsMarker = m_vrm_m && (onMarker || !onLine);
     moveTools(at);

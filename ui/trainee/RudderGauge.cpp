@@ -33,8 +33,8 @@ void RudderGauge::paintEvent(QPaintEvent*) {
     painter.setBrush(colours().section);
     painter.drawRect(bar);
     painter.setBrush(angle_deg < 0.0 ? colours().port : colours().starboard);
-    painter.drawRect(QRectF(std::min(at(0.0), at(angle_deg)), bar.top(), std::abs(at(angle_deg) - at(0.0)),
-                            bar.height()));
+    painter.drawRect(
+        QRectF(std::min(at(0.0), at(angle_deg)), bar.top(), std::abs(at(angle_deg) - at(0.0)), bar.height()));
     const int step = 10;
     for (int tick = -90; tick <= 90; tick += step / 2) {
         if (std::abs(tick) > limit_deg + 0.1) continue;
@@ -43,9 +43,11 @@ void RudderGauge::paintEvent(QPaintEvent*) {
         painter.drawLine(QPointF(at(tick), bar.bottom()),
                          QPointF(at(tick), bar.bottom() + (ten ? 6.0 : 3.5) * unit()));
         if (ten && std::abs(tick) + 4 <= limit_deg)
-            drawWords(painter, QRectF(at(tick) - 14.0 * unit(), bar.bottom() + 6.0 * unit(), 28.0 * unit(), 14.0 * unit()),
-                      Qt::AlignHCenter | Qt::AlignTop, QString::number(std::abs(tick)), 11.0 * unit(),
-                      colours().quietText);
+            drawWords(
+                painter,
+                QRectF(at(tick) - 14.0 * unit(), bar.bottom() + 6.0 * unit(), 28.0 * unit(), 14.0 * unit()),
+                Qt::AlignHCenter | Qt::AlignTop, QString::number(std::abs(tick)), 11.0 * unit(),
+                colours().quietText);
     }
     painter.setPen(QPen(colours().surface, 1.0));
     painter.setBrush(colours().setValue);

@@ -31,8 +31,8 @@ void ShaftGauge::paintEvent(QPaintEvent*) {
         const Shaft& shaft = m_shafts[i];
         const QRectF line(box.left(), box.top() + static_cast<double>(i) * row, box.width(), row);
         const QRectF words(line.left(), line.top(), line.width(), 0.55 * row);
-        drawWords(painter, words, Qt::AlignLeft | Qt::AlignVCenter, shaft.name, std::min(0.7 * size, 12.0 * unit()),
-                  colours().quietText);
+        drawWords(painter, words, Qt::AlignLeft | Qt::AlignVCenter, shaft.name,
+                  std::min(0.7 * size, 12.0 * unit()), colours().quietText);
         drawWords(painter, words, Qt::AlignRight | Qt::AlignVCenter,
                   chart::number(shaft.speed_rps / core::kRpm_rps, 0), size, colours().text, true);
         const QRectF bar(line.left(), line.top() + 0.64 * row, line.width(), 0.2 * row);

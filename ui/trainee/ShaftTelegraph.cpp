@@ -101,13 +101,15 @@ void ShaftTelegraph::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(t, 3.0, 3.0);
     const double stop = yOf(static_cast<int>(TelegraphStep::Stop)), now = yOf(placeOf(m_speed_rps));
     painter.setBrush(m_speed_rps < 0.0 ? colours().caution : colours().accent);
-    painter.drawRect(QRectF(t.left() + 0.3 * t.width(), std::min(stop, now), 0.4 * t.width(), std::abs(stop - now)));
-    const std::array names{tr("Full"), tr("Half"), tr("Slow"), tr("Dead slow"), tr("Stop"),
+    painter.drawRect(
+        QRectF(t.left() + 0.3 * t.width(), std::min(stop, now), 0.4 * t.width(), std::abs(stop - now)));
+    const std::array names{tr("Full"),      tr("Half"), tr("Slow"), tr("Dead slow"), tr("Stop"),
                            tr("Dead slow"), tr("Slow"), tr("Half"), tr("Full")};
     const double row = t.height() / static_cast<double>(core::kTelegraphSteps);
     for (int step = 0; step <= kLast; ++step) {
         const bool chosen = step == static_cast<int>(m_step);
-        const QRectF words(t.right() + 9.0 * unit(), yOf(step) - 0.5 * row, width() - t.right() - 13.0 * unit(), row);
+        const QRectF words(t.right() + 9.0 * unit(), yOf(step) - 0.5 * row,
+                           width() - t.right() - 13.0 * unit(), row);
         if (chosen) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(colours().selected);
@@ -120,8 +122,8 @@ void ShaftTelegraph::paintEvent(QPaintEvent*) {
     const double y = yOf(static_cast<int>(m_step));
     painter.setPen(QPen(hasFocus() ? colours().focus : colours().surface, hasFocus() ? 2.0 : 1.0));
     painter.setBrush(colours().setValue);
-    painter.drawRoundedRect(QRectF(t.left() - 4.0 * unit(), y - 3.5 * unit(), t.width() + 8.0 * unit(), 7.0 * unit()),
-                            3.0, 3.0);
+    painter.drawRoundedRect(
+        QRectF(t.left() - 4.0 * unit(), y - 3.5 * unit(), t.width() + 8.0 * unit(), 7.0 * unit()), 3.0, 3.0);
     drawWords(painter, QRectF(4.0, height() - 13.5 * unit(), width() - 8.0, 11.0 * unit()), Qt::AlignCenter,
               tr("%1 rpm").arg(QString::number(std::lround(m_speed_rps / core::kRpm_rps))), 10.0 * unit(),
               colours().text, true);

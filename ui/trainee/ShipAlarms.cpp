@@ -10,7 +10,7 @@ namespace sagara::ui::console {
 namespace {
 
 constexpr double kOffCourse_rad = 10.0 * core::kDegree_rad, kOffCourse_s = 5.0;
-constexpr double kRudderBehind_rad = 3.0 * core::kDegree_rad, kRudderBehind_s = 25.0;
+constexpr double kRudderBehind_rad = 3.0 * core::kDegree_rad, kRudderBehind_s = 6.0;
 
 QString tr(const char* text) { return QCoreApplication::translate("sagara::ui::console::ShipAlarms", text); }
 
@@ -21,10 +21,12 @@ void ShipAlarms::update(const AlarmInputs& now) {
     set(QStringLiteral("aground"), tr("Aground"), now.aground);
     set(QStringLiteral("shallow"), tr("Shallow water"), shallow);
     set(QStringLiteral("off-course"), tr("Off course"),
-        lasting(QStringLiteral("off-course"), now.offCourse_rad && std::abs(*now.offCourse_rad) > kOffCourse_rad,
-                now.time_s, kOffCourse_s));
+        lasting(QStringLiteral("off-course"),
+                now.offCourse_rad && std::abs(*now.offCourse_rad) > kOffCourse_rad, now.time_s,
+                kOffCourse_s));
     for (std::size_t i = 0; i < now.enginesStopped.size(); ++i)
-        set(QStringLiteral("engine-%1").arg(i), tr("Main engine %1 shut down").arg(i + 1), now.enginesStopped[i]);
+        set(QStringLiteral("engine-%1").arg(i), tr("Main engine %1 shut down").arg(i + 1),
+            now.enginesStopped[i]);
     set(QStringLiteral("steering-pump"),
         now.steeringPumpsStopped > 1 ? tr("Both steering pumps stopped") : tr("Steering pump stopped"),
         now.steeringPumpsStopped > 0);
@@ -50,7 +52,8 @@ bool ShipAlarms::lasting(const QString& id, bool now, double time_s, double for_
 }
 
 void ShipAlarms::set(const QString& id, const QString& text, bool active) {
-    const auto at = std::find_if(m_alarms.begin(), m_alarms.end(), [&](const Alarm& a) { return a.id == id; });
+    const auto at =
+        std::find_if(m_alarms.begin(), m_alarms.end(), [&](const Alarm& a) { return a.id == id; });
     if (at == m_alarms.end()) {
         if (active) m_alarms.insert(m_alarms.begin(), {id, text});
         return;

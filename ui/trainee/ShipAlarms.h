@@ -14,7 +14,7 @@ struct AlarmInputs {
     std::optional<double> offCourse_rad;  ///< of the autopilot's heading; none when it does not steer
     std::vector<bool> enginesStopped;     ///< shut down by themselves
     int steeringPumpsStopped = 0;
-    double rudderBehind_rad = 0.0;  ///< order less rudder
+    double rudderBehind_rad = 0.0;  ///< order less rudder, while the rudder does not move
     bool lineParted = false;
     bool cableParted = false;
     bool aground = false;
@@ -27,8 +27,8 @@ struct Alarm {
     bool acknowledged = false;
 };
 
-/// The alarms of a bridge: each comes once, sounds until it is acknowledged, stays in sight until its cause is
-/// gone. No clock, no widget.
+/// The alarms of a bridge: each comes once, sounds until it is acknowledged, stays in sight until its cause
+/// is gone. No clock, no widget.
 class ShipAlarms {
 public:
     void update(const AlarmInputs& now);

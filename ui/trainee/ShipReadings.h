@@ -13,7 +13,7 @@ struct ShipReadings {
     double convergence_rad = 0.0;  ///< add to a direction of frame N to make it true
     double turn_radps = 0.0;
     double overGround_mps = 0.0;
-    std::optional<double> course_rad;  ///< true; none when she hardly moves
+    std::optional<double> course_rad;               ///< true; none when she hardly moves
     double ahead_mps = 0.0, toStarboard_mps = 0.0;  ///< through the water
     double windFrom_rad = 0.0, wind_mps = 0.0;      ///< true wind
     double relativeFrom_rad = 0.0, relative_mps = 0.0;

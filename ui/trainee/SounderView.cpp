@@ -10,8 +10,10 @@ namespace sagara::ui::console {
 void SounderTrace::add(double time_s, std::optional<double> depth_m) {
     if (!m_soundings.empty()) {
         const double last_s = m_soundings.back().time_s;
-        if (time_s < last_s) m_soundings.clear();
-        else if (time_s - last_s < 1.0) return;
+        if (time_s < last_s)
+            m_soundings.clear();
+        else if (time_s - last_s < 1.0)
+            return;
     }
     m_soundings.push_back({time_s, depth_m});
     while (m_soundings.front().time_s < time_s - kKept_s) m_soundings.pop_front();
@@ -20,7 +22,8 @@ void SounderTrace::add(double time_s, std::optional<double> depth_m) {
 double SounderTrace::scale_m(double span_s) const {
     double deepest_m = 0.0;
     for (const Sounding& s : m_soundings)
-        if (s.time_s >= m_soundings.back().time_s - span_s) deepest_m = std::max(deepest_m, s.depth_m.value_or(0.0));
+        if (s.time_s >= m_soundings.back().time_s - span_s)
+            deepest_m = std::max(deepest_m, s.depth_m.value_or(0.0));
     for (const double scale_m : {5.0, 10.0, 20.0, 50.0, 100.0})
         if (deepest_m <= 0.9 * scale_m) return scale_m;
     return 200.0;
@@ -28,8 +31,9 @@ double SounderTrace::scale_m(double span_s) const {
 
 SounderView::SounderView(QWidget* parent) : Gauge(tr("Echo sounder: metres under the keel"), 1.4, parent) {
     setObjectName(QStringLiteral("sounder"));
-    setToolTip(tr("Depth under the transducer at the keel in metres against time, now at the right; the dashed "
-                  "line is the alarm"));
+    setToolTip(
+        tr("Depth under the transducer at the keel in metres against time, now at the right; the dashed "
+           "line is the alarm"));
 }
 
 void SounderView::setAlarm(double depth_m) {
@@ -61,7 +65,8 @@ void SounderView::drawTrace(QPainter& painter, const QRectF& box, double scale_m
         if (run.size() == 1) run.prepend(run.front() - QPointF(2.0, 0.0));
         if (run.size() > 1) {
             QPolygonF ground = run;
-            ground << QPointF(run.back().x(), box.bottom() + 2.0) << QPointF(run.front().x(), box.bottom() + 2.0);
+            ground << QPointF(run.back().x(), box.bottom() + 2.0)
+                   << QPointF(run.front().x(), box.bottom() + 2.0);
             painter.setPen(Qt::NoPen);
             painter.setBrush(colours().pressed);
             painter.drawPolygon(ground);
@@ -110,7 +115,8 @@ void SounderView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(colours().line, 1.0));
         painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
         drawWords(painter, QRectF(frame.left(), y - letters, 2.3 * letters, 2.0 * letters),
-                  Qt::AlignRight | Qt::AlignVCenter, QString::number(0.2 * i * scale_m), letters, colours().quietText);
+                  Qt::AlignRight | Qt::AlignVCenter, QString::number(0.2 * i * scale_m), letters,
+                  colours().quietText);
     }
     for (double minute = 60.0; minute < m_span_s; minute += 60.0) {
         const double x = box.right() - minute / m_span_s * box.width();

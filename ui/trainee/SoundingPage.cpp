@@ -83,7 +83,7 @@ void SoundingPage::show(const core::Snapshot& now, const ShipReadings& readings)
 void SoundingPage::sound(const core::Snapshot& now) {
     std::vector<core::SonarObject> hulls;
     for (const core::TargetView& t : now.targets) {
-        const core::TargetLayout& layout = m_world.targets[t.index];
+        const core::TargetLayout& layout = core::targetLayout(m_world, now.added, t.index);
         hulls.push_back({t.position, t.heading_rad, layout.length_m, layout.beam_m, layout.draught_m});
     }
     for (std::size_t i = 0; i < now.ships.size(); ++i) {
@@ -92,9 +92,10 @@ void SoundingPage::sound(const core::Snapshot& now) {
         const core::ShipMotion& m = now.ships[i].motion;
         hulls.push_back({m.position(), m.heading_rad, hull.lengthOverall_m, hull.beam_m, hull.draught_m});
     }
-    const double range_m = core::kSonarRanges_m[static_cast<std::size_t>(std::max(0, m_range->currentIndex()))];
-    m_sonarView->setPicture(core::ping(m_world.area, hulls, m_sonar, now.ships[m_ship].motion, now.tide_m, range_m,
-                                       static_cast<std::uint32_t>(m_pinged_s)),
+    const double range_m =
+        core::kSonarRanges_m[static_cast<std::size_t>(std::max(0, m_range->currentIndex()))];
+    m_sonarView->setPicture(core::ping(m_world.area, hulls, m_sonar, now.ships[m_ship].motion, now.tide_m,
+                                       range_m, static_cast<std::uint32_t>(m_pinged_s)),
                             m_world.ships[m_ship]->vessel.hull.draught_m);
 }
 

@@ -8,8 +8,9 @@
 namespace sagara::ui::console {
 
 SpeedGauge::SpeedGauge(QWidget* parent) : Gauge(tr("Speed kn"), 1.9, parent) {
-    setToolTip(tr("Left: speed over the ground in knots and course made good. Right: speed through the water "
-                  "ahead in knots, below it athwart"));
+    setToolTip(
+        tr("Left: speed over the ground in knots and course made good. Right: speed through the water "
+           "ahead in knots, below it athwart"));
 }
 
 void SpeedGauge::setOverGround(double speed_mps, std::optional<double> course_rad) {
@@ -44,7 +45,8 @@ void SpeedGauge::paintEvent(QPaintEvent*) {
     column(box.left() + half + 4.0, tr("through water"), m_ahead_mps,
            tr("athwart %1").arg(sided(m_toStarboard_mps / core::kKnot_mps, 1)));
     painter.setPen(QPen(colours().line, 1.0));
-    painter.drawLine(QPointF(box.left() + half - 3.0, box.top()), QPointF(box.left() + half - 3.0, box.bottom()));
+    painter.drawLine(QPointF(box.left() + half - 3.0, box.top()),
+                     QPointF(box.left() + half - 3.0, box.bottom()));
 }
 
 }  // namespace sagara::ui::console

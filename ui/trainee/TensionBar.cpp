@@ -6,7 +6,8 @@
 
 namespace sagara::ui::console {
 
-TensionBar::TensionBar(double breaking_N, QWidget* parent) : Gauge(tr("Tension"), 4.0, parent), m_breaking_N(breaking_N) {
+TensionBar::TensionBar(double breaking_N, QWidget* parent)
+    : Gauge(tr("Tension"), 4.0, parent), m_breaking_N(breaking_N) {
     setMinimumSize(60, 18);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setToolTip(tr("Tension in kN; the whole bar is the breaking load of %1 kN")

@@ -9,7 +9,8 @@
 namespace sagara::ui::console {
 
 WindGauge::WindGauge(QWidget* parent) : Gauge(tr("Wind kn"), 2.0, parent) {
-    setToolTip(tr("Filled arrow: relative wind from the bow. Open arrow: true wind, from where. Speeds in knots"));
+    setToolTip(
+        tr("Filled arrow: relative wind from the bow. Open arrow: true wind, from where. Speeds in knots"));
 }
 
 void WindGauge::setRelative(double from_rad, double speed_mps) {
@@ -38,7 +39,8 @@ void WindGauge::paintEvent(QPaintEvent*) {
         const QPointF out(std::sin(a), -std::cos(a));
         painter.drawLine(c + (tick % 90 == 0 ? 0.8 : 0.88) * r * out, c + r * out);
     }
-    QPolygonF hull{QPointF(0.0, -0.5), QPointF(0.16, -0.2), QPointF(0.16, 0.45), QPointF(-0.16, 0.45), QPointF(-0.16, -0.2)};
+    QPolygonF hull{QPointF(0.0, -0.5), QPointF(0.16, -0.2), QPointF(0.16, 0.45), QPointF(-0.16, 0.45),
+                   QPointF(-0.16, -0.2)};
     for (QPointF& p : hull) p = c + r * p;
     painter.setPen(QPen(colours().quietText, 1.2));
     painter.drawPolygon(hull);
@@ -46,8 +48,7 @@ void WindGauge::paintEvent(QPaintEvent*) {
         const QPointF out(std::sin(fromBow_rad), -std::cos(fromBow_rad));
         painter.setPen(QPen(colour, 1.8));
         painter.setBrush(filled ? QBrush(colour) : QBrush(colours().surface));
-        painter.drawPolygon(
-            pointerAt(c + 0.56 * r * out, 0.42 * r, fromBow_rad / core::kDegree_rad + 180.0));
+        painter.drawPolygon(pointerAt(c + 0.56 * r * out, 0.42 * r, fromBow_rad / core::kDegree_rad + 180.0));
     };
     if (m_true_mps > 0.05) arrow(m_trueFrom_rad - m_heading_rad, colours().text, false);
     if (m_relative_mps > 0.05) arrow(m_relativeFrom_rad, colours().accent, true);
