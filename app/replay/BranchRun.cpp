@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/files/Files.h"
 #include "core/exercise/RecordingBranch.h"
 
@@ -38,15 +40,11 @@ BranchRun::BranchRun(run::Store& store, std::shared_ptr<const Film> film, Beginn
       m_filing(store),
       m_run(m_filing.newRun(b.header, *m_film->world, m_file->path())),
       m_writer([this](std::span<const std::byte> bytes) { write(bytes); }) {
-    m_file->write(b.bytes);
-    const core::RecordingWriter::Sink sink = [this](std::span<const std::byte> bytes) {
-        m_since.insert(m_since.end(), bytes.begin(), bytes.end());
-    };
-    core::RecordingWriter(sink).begin(b.header, *m_film->world, b.from);
+    write(b.bytes);
     m_writer.goOn(b.from);
     m_filingTrouble = m_filing.begin(m_run);
-    m_live =
-        std::make_unique<live::LiveRun>(m_film->world, std::move(b.from), std::vector<core::Command>{}, &m_writer);
+    m_live = std::make_unique<live::LiveRun>(m_film->world, std::move(b.from), std::vector<core::Command>{},
+                                             &m_writer);
 }
 
 BranchRun::~BranchRun() { finish(); }
@@ -54,7 +52,7 @@ BranchRun::~BranchRun() { finish(); }
 void BranchRun::write(std::span<const std::byte> bytes) {
     m_file->write(bytes);
     const std::lock_guard lock(m_mutex);
-    m_since.insert(m_since.end(), bytes.begin(), bytes.end());
+    m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
     m_recordingTrouble = m_file->trouble();
 }
 
@@ -72,11 +70,15 @@ std::vector<core::TrackSample> BranchRun::track() const {
     core::Bytes bytes;
     {
         const std::lock_guard lock(m_mutex);
-        bytes = m_since;
+        bytes = m_bytes;
     }
     const auto recording = core::readRecording(bytes);
     if (!recording) return {};
-    return recording->track(m_film->world->ships.size(), m_film->world->targets.size());
+    auto track = recording->track(m_film->world->ships.size(), m_film->world->targets.size());
+    const auto since = std::find_if(track.begin(), track.end(),
+                                    [this](const auto& sample) { return sample.tick >= m_from; });
+    track.erase(track.begin(), since);
+    return track;
 }
 
 const std::string& BranchRun::finish() {

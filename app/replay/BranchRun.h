@@ -11,9 +11,9 @@
 
 namespace sagara::replay {
 
-/// "What if": a run that begins as a recorded one and is sailed anew from a second of it. It is live, filed as
-/// training that nobody is credited for, and has a recording of its own, which begins with the part that was
-/// sailed before and replays from there. The recording it leaves is only read.
+/// "What if": a run that begins as a recorded one and is sailed anew from a second of it. It is live, filed
+/// as training that nobody is credited for, and has a recording of its own, which begins with the part that
+/// was sailed before and replays from there. The recording it leaves is only read.
 class BranchRun final : public ui::Branch {
 public:
     /// `from`: the film's state at a whole second. `store` outlives the run. The error is for a person.
@@ -57,7 +57,7 @@ private:
     run::RunFiling m_filing;
     db::NewRun m_run;
     mutable std::mutex m_mutex;  ///< of the next two: the thread of the run writes them
-    core::Bytes m_since;         ///< a recording of what was sailed since it branched
+    core::Bytes m_bytes;         ///< its recording
     std::string m_recordingTrouble;
     std::string m_filingTrouble;
     core::RecordingWriter m_writer;

@@ -39,7 +39,7 @@ private:
     void run();
     bool reached(const Wish& wish) const;  ///< under the lock
     std::int64_t lead_ticks(const Wish& wish) const;
-    bool begin(std::int64_t tick);         ///< at the last stored state before; false: it cannot be read
+    bool begin(std::int64_t tick);  ///< at the last stored state before; false: it cannot be read
     void advanceTo(const Wish& wish);
     void publish(bool withState);
 

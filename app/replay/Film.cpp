@@ -27,26 +27,6 @@ std::string remarkOn(const Film& film) {
     return text;
 }
 
-/// As Recording::track, in steps that can be called off.
-bool readTrack(Film& film, const KeepOn& keepOn) {
-    core::TrackCodec codec;
-    const auto& parts = film.recording.samples;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i % 60 == 0 &&
-            !keepOn(0.4 + 0.5 * static_cast<double>(i) / static_cast<double>(parts.size())))
-            return false;
-        if (parts[i].restart) codec.restart();
-        std::span<const std::byte> bytes(parts[i].bytes);
-        for (std::uint32_t k = 0; k < parts[i].count; ++k) {
-            core::TrackSample sample;
-            if (!codec.decode(bytes, film.world->ships.size(), film.world->targets.size(), sample))
-                return true;
-            film.track.push_back(std::move(sample));
-        }
-    }
-    return true;
-}
-
 }  // namespace
 
 core::Result<std::shared_ptr<const Film>, std::string> openFilm(const std::filesystem::path& file,
@@ -67,7 +47,9 @@ core::Result<std::shared_ptr<const Film>, std::string> openFilm(const std::files
     if (!world) return file.filename().string() + ": its exercise cannot be built\n" + world.error().text();
     film->world = std::move(world).value();
     film->exact = film->recording.sameBuild();
-    if (!readTrack(*film, keepOn)) return calledOff;
+    if (!keepOn(0.5)) return calledOff;
+    film->track = film->recording.track(film->world->ships.size(), film->world->targets.size());
+    if (!keepOn(0.8)) return calledOff;
     film->remark = remarkOn(*film);
     return std::shared_ptr<const Film>(std::move(film));
 }

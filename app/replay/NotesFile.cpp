@@ -47,11 +47,12 @@ std::optional<std::string> NotesFile::add(const ui::DebriefNote& note) const {
         const auto text = files::readTextFile(m_path);
         if (!text) return text.error().message;
         json = parsed(*text);
-        if (json.is_null()) return m_path.string() + ": is not a file of notes (document \"notes\", version 1)";
+        if (json.is_null())
+            return m_path.string() + ": is not a file of notes (document \"notes\", version 1)";
     }
     json["notes"].push_back({{"time_s", note.time.seconds()}, {"text", note.text}});
-    if (const auto error = files::writeTextFile(
-            m_path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"))
+    if (const auto error =
+            files::writeTextFile(m_path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"))
         return error->message;
     return std::nullopt;
 }

@@ -38,8 +38,8 @@ void OrderScan::run() {
     }
     while (session.state().tick < m_film->endTick() && !session.state().stopped) (void)session.step();
     const auto& end = m_film->recording.end;
-    found->verified = end && end->tick == session.state().tick &&
-                      end->stateHash == core::stateHash(session.state());
+    found->verified =
+        end && end->tick == session.state().tick && end->stateHash == core::stateHash(session.state());
     std::atomic_store(&m_result, std::shared_ptr<const ui::ReplayOrders>(std::move(found)));
 }
 

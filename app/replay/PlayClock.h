@@ -8,7 +8,8 @@
 
 namespace sagara::replay {
 
-/// The moment of a replay: stands, or moves evenly with the wall clock between begin and end. No clock inside.
+/// The moment of a replay: stands, or moves evenly with the wall clock between begin and end. No clock
+/// inside.
 class PlayClock {
 public:
     PlayClock(core::SimTime begin, core::SimTime end) : m_begin(begin), m_end(end), m_base(begin) {}

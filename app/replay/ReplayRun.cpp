@@ -31,7 +31,7 @@ run::RunSummary summaryOf(const Film& film) {
 ui::ReplayResult resultOf(const Film& film) {
     const run::RunSummary summary = summaryOf(film);
     ui::ReplayResult result{
-        summary.passed, summary.whyNot, summary.score, film.world->mission.passScore, {}, {},
+        summary.passed,    summary.whyNot, summary.score, film.world->mission.passScore, {}, {},
         summary.gradedFrom};
     for (const auto& task : summary.tasks) result.tasks.push_back({task.title, task.done, task.time_s});
     for (const auto& loss : summary.losses)

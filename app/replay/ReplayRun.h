@@ -23,6 +23,7 @@ public:
     const std::vector<core::TrackSample>& track() const override { return m_film->track; }
     const std::vector<core::Event>& events() const override { return m_film->recording.events; }
     const std::vector<core::Command>& commands() const override { return m_film->recording.commands; }
+    const std::vector<core::TargetLayout>& added() const override { return m_film->recording.added; }
     const ui::ReplayResult& result() const override { return m_result; }
     std::shared_ptr<const ui::ReplayOrders> orders() const override;
     bool exact() const override { return m_exact && m_exact->trouble().empty(); }
@@ -38,7 +39,7 @@ public:
     void seek(core::SimTime time) override;
     std::optional<core::State> state() const override;
 
-    const Film& film() const { return *m_film; }
+    const std::shared_ptr<const Film>& sharedFilm() const { return m_film; }
 
 private:
     void wish();

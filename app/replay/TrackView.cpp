@@ -79,6 +79,7 @@ const core::Snapshot& TrackView::backgroundAt(std::int64_t tick) {
 
 core::Snapshot TrackView::at(core::SimTime time) {
     core::Snapshot background = backgroundAt(time.us / core::kTick_us);
+    background.added = m_film->recording.added;
     for (core::TaskView& task : background.tasks) task = {};
     for (const core::Event& e : m_film->recording.events) {
         if (e.time() > time) break;

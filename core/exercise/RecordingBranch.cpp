@@ -27,11 +27,12 @@ Result<Bytes, std::string> recordingUpTo(std::span<const std::byte> recording, c
     if (recording.size() < kMagic_bytes ||
         std::memcmp(recording.data(), kRecordingMagic.data(), kMagic_bytes) != 0)
         return std::string("is not a Sagara recording of format 1");
-    if (tick < 0 || tick % kTicksPerSecond != 0) return std::string("a run can branch at a whole second only");
+    if (tick < 0 || tick % kTicksPerSecond != 0)
+        return std::string("a run can branch at a whole second only");
     Bytes out(recording.begin(), recording.begin() + kMagic_bytes);
     const Bytes head = toBytes(header);
-    appendTo(out, ChunkHead{kHeaderChunk, static_cast<std::uint32_t>(head.size()),
-                            chunkHash(kHeaderChunk, head)});
+    appendTo(out,
+             ChunkHead{kHeaderChunk, static_cast<std::uint32_t>(head.size()), chunkHash(kHeaderChunk, head)});
     append(out, head);
     auto rest = recording.subspan(kMagic_bytes);
     while (rest.size() >= ChunkHead::kSize_bytes) {

@@ -31,8 +31,7 @@ std::vector<OverlayTrack::Point> overlayPoints(const std::vector<core::TrackSamp
         const core::TrackSample& sample = track[i];
         const bool whole = sample.tick % core::kTicksPerSecond == 0 || i + 1 == track.size();
         if (whole && !sample.ships.empty())
-            points.push_back(
-                {core::timeOfTick(sample.tick).seconds(), sample.ships[0].motion.position()});
+            points.push_back({core::timeOfTick(sample.tick).seconds(), sample.ships[0].motion.position()});
     }
     return points;
 }
@@ -123,7 +122,8 @@ void ChartOverlay::drawTrack(QPainter& p, const OverlayTrack& track) const {
 void ChartOverlay::drawShip(QPainter& p) const {
     if (!m_ship) return;
     const ThemeColours& c = themeColours(m_colours);
-    const double scale = std::max(1.0, m_chart.view().toMetres(kLeastShip_px) / std::max(1.0, m_ship->length_m));
+    const double scale =
+        std::max(1.0, m_chart.view().toMetres(kLeastShip_px) / std::max(1.0, m_ship->length_m));
     QPolygonF outline;
     for (const core::NorthEast corner :
          shipOutline(m_ship->position, m_ship->heading_rad, scale * m_ship->length_m, scale * m_ship->beam_m))

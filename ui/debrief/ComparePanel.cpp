@@ -52,8 +52,9 @@ ComparePanel::ComparePanel(QWidget* parent)
 
 void ComparePanel::setColours(PaletteName name) {
     const ThemeColours& c = themeColours(name);
-    m_legend->setText(QStringLiteral("<span style='color:%1'>━━</span> %2 &nbsp; <span style='color:%3'>━━</span> %4")
-                          .arg(c.series[0].name(), tr("sailed"), c.series[1].name(), tr("what if")));
+    m_legend->setText(
+        QStringLiteral("<span style='color:%1'>━━</span> %2 &nbsp; <span style='color:%3'>━━</span> %4")
+            .arg(c.series[0].name(), tr("sailed"), c.series[1].name(), tr("what if")));
 }
 
 void ComparePanel::show(const std::vector<ComparisonRow>& rows, const QString& about, bool maySailOn) {

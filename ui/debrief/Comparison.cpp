@@ -33,14 +33,18 @@ core::SimTime moment(double time_s) { return {std::llround(1e6 * time_s)}; }
 
 ComparisonRow row(const QString& name, double a, double b, int decimals, const QString& unit,
                   std::optional<double> a_s = {}, std::optional<double> b_s = {}) {
-    ComparisonRow r{name, valueAt(a, decimals, unit, a_s), valueAt(b, decimals, unit, b_s),
-                    difference(a, b, decimals, unit), {}};
+    ComparisonRow r{name,
+                    valueAt(a, decimals, unit, a_s),
+                    valueAt(b, decimals, unit, b_s),
+                    difference(a, b, decimals, unit),
+                    {}};
     if (b_s) r.moment = moment(*b_s);
     return r;
 }
 
 ComparisonRow taskRow(const QString& title, std::optional<double> a_s, std::optional<double> b_s) {
-    ComparisonRow r{title, a_s ? axisTime(*a_s) : tr("not done"), b_s ? axisTime(*b_s) : tr("not done"), dash(), {}};
+    ComparisonRow r{
+        title, a_s ? axisTime(*a_s) : tr("not done"), b_s ? axisTime(*b_s) : tr("not done"), dash(), {}};
     if (a_s && b_s) r.difference = sign(*b_s - *a_s) + axisTime(std::abs(*b_s - *a_s));
     if (b_s ? b_s : a_s) r.moment = moment(b_s ? *b_s : *a_s);
     return r;
@@ -67,7 +71,8 @@ RunFigures figuresOf(const core::World& world, const std::vector<core::TrackSamp
         f.mostSpeed_mps = std::max(f.mostSpeed_mps, core::length(o.overGround_mps));
         if (o.underKeel_m < f.leastUnderKeel_m) f.leastUnderKeel_m = o.underKeel_m, f.leastUnderKeel_s = t;
         if (o.clearOfShore_m < f.closestShore_m) f.closestShore_m = o.clearOfShore_m, f.closestShore_s = t;
-        if (o.clearOfShips_m < core::kShipsLimit_m && (!f.closestShips_m || o.clearOfShips_m < *f.closestShips_m))
+        if (o.clearOfShips_m < core::kShipsLimit_m &&
+            (!f.closestShips_m || o.clearOfShips_m < *f.closestShips_m))
             f.closestShips_m = o.clearOfShips_m, f.closestShips_s = t;
         if (routed && std::abs(progress.offTrack_m) > f.mostOffTrack_m)
             f.mostOffTrack_m = std::abs(progress.offTrack_m), f.mostOffTrack_s = t;
@@ -103,8 +108,11 @@ TrackDifference differenceOf(const std::vector<core::TrackSample>& a,
 std::vector<ComparisonRow> comparisonOf(const core::World& world, const RunFigures& a, const RunFigures& b,
                                         const TrackDifference& tracks) {
     std::vector<ComparisonRow> rows;
-    rows.push_back({tr("Sailed until"), axisTime(a.until_s), axisTime(b.until_s),
-                    sign(b.until_s - a.until_s) + axisTime(std::abs(b.until_s - a.until_s)), {}});
+    rows.push_back({tr("Sailed until"),
+                    axisTime(a.until_s),
+                    axisTime(b.until_s),
+                    sign(b.until_s - a.until_s) + axisTime(std::abs(b.until_s - a.until_s)),
+                    {}});
     rows.push_back(row(tr("Score"), a.score, b.score, 0, tr("points")));
     for (std::size_t i = 0; i < world.mission.tasks.size(); ++i)
         rows.push_back(
@@ -120,8 +128,9 @@ std::vector<ComparisonRow> comparisonOf(const core::World& world, const RunFigur
         rows.push_back({tr("Closest to another ship"), text(a), text(b), dash(), {}});
     }
     const auto shore = [](const RunFigures& f) {
-        return f.closestShore_m >= core::kShoreLimit_m ? tr("over 100 m")
-                                                       : valueAt(f.closestShore_m, 0, tr("m"), f.closestShore_s);
+        return f.closestShore_m >= core::kShoreLimit_m
+                   ? tr("over 100 m")
+                   : valueAt(f.closestShore_m, 0, tr("m"), f.closestShore_s);
     };
     rows.push_back({tr("Closest to shore or quay"), shore(a), shore(b),
                     std::max(a.closestShore_m, b.closestShore_m) < core::kShoreLimit_m
@@ -135,8 +144,8 @@ std::vector<ComparisonRow> comparisonOf(const core::World& world, const RunFigur
                            a.mostOffTrack_s, b.mostOffTrack_s));
     rows.push_back(row(tr("Highest speed over ground"), a.mostSpeed_mps / core::kKnot_mps,
                        b.mostSpeed_mps / core::kKnot_mps, 1, tr("kn")));
-    rows.push_back(row(tr("Way over the ground"), a.run_m / core::kNauticalMile_m, b.run_m / core::kNauticalMile_m,
-                       2, tr("M")));
+    rows.push_back(row(tr("Way over the ground"), a.run_m / core::kNauticalMile_m,
+                       b.run_m / core::kNauticalMile_m, 2, tr("M")));
     rows.push_back({tr("Farthest apart at the same time"), dash(), dash(),
                     valueAt(tracks.most_m, 0, tr("m"), tracks.most_s), moment(tracks.most_s)});
     rows.push_back({tr("Apart at the end of both"), dash(), dash(),

@@ -23,6 +23,8 @@ MarkKind kindOf(const core::World& world, const core::Event& e) {
             return MarkKind::Deduction;
         case Kind::MissionFailed:
             return MarkKind::Failure;
+        case Kind::NoteMade:
+            return MarkKind::Note;
         case Kind::ScenarioEvent: {
             const auto i = static_cast<std::size_t>(e.index);
             if (i >= world.events.size()) return MarkKind::Event;
@@ -90,7 +92,8 @@ std::vector<DebriefMark> marksOf(const Replay& replay, const std::vector<Debrief
     };
     for (const core::Event& e : replay.events()) {
         const bool deduction = e.kind == core::EventKind::Deduction;
-        add(e.time(), kindOf(world, e), deduction ? deductionText(world, e) : eventText(world, e), e.points);
+        add(e.time(), kindOf(world, e),
+            deduction ? deductionText(world, e) : eventText(world, replay.added(), e), e.points);
     }
     for (const core::Command& command : replay.commands()) {
         if (const auto* weather = std::get_if<core::WeatherOrder>(&command.order))

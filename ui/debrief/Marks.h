@@ -14,8 +14,8 @@ struct DebriefMark {
     core::SimTime time;
     MarkKind kind = MarkKind::Event;
     QString text;
-    double points = 0.0;     ///< lost, of a deduction
-    core::NorthEast place;   ///< of the graded ship then
+    double points = 0.0;    ///< lost, of a deduction
+    core::NorthEast place;  ///< of the graded ship then
 };
 
 /// What happened, in the order of time: of the run itself, of the trainer's orders, and what was noted.

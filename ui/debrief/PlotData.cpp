@@ -24,7 +24,8 @@ double knots(double mps) { return mps / core::kKnot_mps; }
 class Gather {
 public:
     Gather(const core::World& world, std::size_t count, bool orders) : m_world(world), m_orders(orders) {
-        for (int kind = 0; kind < kPlotKinds; ++kind) m_data.plots.push_back({static_cast<PlotKind>(kind), {}});
+        for (int kind = 0; kind < kPlotKinds; ++kind)
+            m_data.plots.push_back({static_cast<PlotKind>(kind), {}});
         m_data.time_s.reserve(count);
         using Style = PlotCurve::Style;
         add(PlotKind::SpeedOverGround, tr("ship"), Style::Plain);
@@ -36,7 +37,8 @@ public:
         const auto& units = world.ships[0]->vessel.propulsion.units;
         for (const auto& unit : units) add(PlotKind::Shafts, QString::fromStdString(unit.id), Style::Plain);
         for (const auto& unit : units)
-            if (orders) add(PlotKind::Shafts, tr("%1 order").arg(QString::fromStdString(unit.id)), Style::Ordered);
+            if (orders)
+                add(PlotKind::Shafts, tr("%1 order").arg(QString::fromStdString(unit.id)), Style::Ordered);
         add(PlotKind::CrossTrack, {}, Style::Plain);
         add(PlotKind::UnderKeel, tr("ship"), Style::Plain);
         add(PlotKind::UnderKeel, tr("limit"), Style::Limit);
@@ -53,8 +55,9 @@ public:
         const core::Limits limits = core::limitsAt(m_world.mission, o, m_progress);
         const double convergence_rad = m_world.area.frame.convergence_rad(s.motion.position());
         m_data.time_s.push_back(core::timeOfTick(sample.tick).seconds());
-        put(PlotKind::SpeedOverGround, {knots(core::length(o.overGround_mps)),
-                                        limits.speedOverGround_mps > 0.0 ? knots(limits.speedOverGround_mps) : kGap});
+        put(PlotKind::SpeedOverGround,
+            {knots(core::length(o.overGround_mps)),
+             limits.speedOverGround_mps > 0.0 ? knots(limits.speedOverGround_mps) : kGap});
         put(PlotKind::Heading, {degrees(s.motion.heading_rad - convergence_rad)});
         put(PlotKind::RateOfTurn, {60.0 * degrees(s.motion.yawRate_radps)});
         std::vector<double> rudder{degrees(s.rudder_rad)}, shafts;

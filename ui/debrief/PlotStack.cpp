@@ -77,13 +77,13 @@ void PlotStack::setColours(PaletteName name) {
     stale();
 }
 
-void PlotStack::setData(std::shared_ptr<const PlotData> data) {
-    m_data = std::move(data);
+void PlotStack::setData(std::shared_ptr<const PlotData> run) {
+    m_data = std::move(run);
     stale();
 }
 
-void PlotStack::setOther(std::shared_ptr<const PlotData> data) {
-    m_other = std::move(data);
+void PlotStack::setOther(std::shared_ptr<const PlotData> run) {
+    m_other = std::move(run);
     stale();
 }
 
@@ -101,7 +101,8 @@ void PlotStack::setShown(std::vector<PlotKind> kinds) {
 }
 
 QSize PlotStack::minimumSizeHint() const {
-    return {480, static_cast<int>(kLeastPlot_px * static_cast<double>(std::max<std::size_t>(1, m_shown.size())))};
+    return {480,
+            static_cast<int>(kLeastPlot_px * static_cast<double>(std::max<std::size_t>(1, m_shown.size())))};
 }
 QSize PlotStack::sizeHint() const { return minimumSizeHint(); }
 
@@ -134,15 +135,15 @@ QPen PlotStack::penOf(const PlotCurve& curve, std::size_t nth, bool other) const
     return pen;
 }
 
-void PlotStack::drawCurves(QPainter& p, const PlotData& data, PlotKind kind, bool other, const QRectF& area,
+void PlotStack::drawCurves(QPainter& p, const PlotData& run, PlotKind kind, bool other, const QRectF& area,
                            const PlotAxis& axis) const {
     std::size_t plain = 0, ordered = 0;
-    for (const PlotCurve& curve : data.of(kind).curves) {
+    for (const PlotCurve& curve : run.of(kind).curves) {
         const bool limit = curve.style == PlotCurve::Style::Limit;
         if (limit && other) continue;
         const bool isOrder = curve.style == PlotCurve::Style::Ordered;
         p.setPen(penOf(curve, limit ? 0 : isOrder ? ordered++ : plain++, other));
-        for (const QPolygonF& line : polylines(data, curve, m_axis, width(), area, axis)) p.drawPolyline(line);
+        for (const QPolygonF& line : polylines(run, curve, m_axis, width(), area, axis)) p.drawPolyline(line);
     }
 }
 
@@ -181,12 +182,12 @@ void PlotStack::drawPlot(QPainter& p, std::size_t index) const {
     p.restore();
 }
 
-QString PlotStack::readingOf(const PlotData& data, PlotKind kind) const {
+QString PlotStack::readingOf(const PlotData& run, PlotKind kind) const {
     const double t = m_axis.cursor().seconds();
-    if (data.time_s.empty() || t < data.time_s.front() - 0.3 || t > data.time_s.back() + 0.3) return {};
-    const std::size_t i = data.at(t);
+    if (run.time_s.empty() || t < run.time_s.front() - 0.3 || t > run.time_s.back() + 0.3) return {};
+    const std::size_t i = run.at(t);
     QStringList parts;
-    for (const PlotCurve& curve : data.of(kind).curves) {
+    for (const PlotCurve& curve : run.of(kind).curves) {
         const double value = static_cast<double>(curve.values[i]);
         if (!std::isfinite(value)) continue;
         const QString figure = plotFigure(kind, value, plotDecimals(kind));
@@ -238,18 +239,21 @@ void PlotStack::paintEvent(QPaintEvent*) {
 }
 
 void PlotStack::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) Q_EMIT m_axis.picked(m_axis.timeAt(event->position().x(), width()));
+    if (event->button() == Qt::LeftButton)
+        Q_EMIT m_axis.picked(m_axis.timeAt(event->position().x(), width()));
 }
 
 void PlotStack::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons() & Qt::LeftButton) Q_EMIT m_axis.picked(m_axis.timeAt(event->position().x(), width()));
+    if (event->buttons() & Qt::LeftButton)
+        Q_EMIT m_axis.picked(m_axis.timeAt(event->position().x(), width()));
 }
 
 void PlotStack::mouseDoubleClickEvent(QMouseEvent*) { m_axis.showAll(); }
 
 void PlotStack::wheelEvent(QWheelEvent* event) {
     if (!(event->modifiers() & Qt::ControlModifier)) return QWidget::wheelEvent(event);
-    m_axis.zoom(m_axis.time_s(event->position().x(), width()), std::pow(1.25, event->angleDelta().y() / 120.0));
+    m_axis.zoom(m_axis.time_s(event->position().x(), width()),
+                std::pow(1.25, event->angleDelta().y() / 120.0));
     event->accept();
 }
 

@@ -22,9 +22,9 @@ public:
     explicit PlotStack(TimeAxis& axis, QWidget* parent = nullptr);
 
     void setColours(PaletteName name);
-    void setData(std::shared_ptr<const PlotData> data);
+    void setData(std::shared_ptr<const PlotData> run);
     /// A second run on the same axes; null: none.
-    void setOther(std::shared_ptr<const PlotData> data);
+    void setOther(std::shared_ptr<const PlotData> run);
     void setMarks(const std::vector<DebriefMark>& marks);  ///< deductions are shown
     void setShown(std::vector<PlotKind> kinds);
     const std::vector<PlotKind>& shown() const { return m_shown; }
@@ -48,10 +48,10 @@ private:
     QRectF plotArea(std::size_t index) const;
     PlotAxis axisOf(PlotKind kind) const;
     void drawPlot(QPainter& p, std::size_t index) const;
-    void drawCurves(QPainter& p, const PlotData& data, PlotKind kind, bool other, const QRectF& area,
+    void drawCurves(QPainter& p, const PlotData& run, PlotKind kind, bool other, const QRectF& area,
                     const PlotAxis& axis) const;
     QPen penOf(const PlotCurve& curve, std::size_t nth, bool other) const;
-    QString readingOf(const PlotData& data, PlotKind kind) const;
+    QString readingOf(const PlotData& run, PlotKind kind) const;
 
     TimeAxis& m_axis;
     PaletteName m_colours = PaletteName::Day;

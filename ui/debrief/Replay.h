@@ -61,6 +61,8 @@ public:
     virtual const std::vector<core::TrackSample>& track() const = 0;
     virtual const std::vector<core::Event>& events() const = 0;
     virtual const std::vector<core::Command>& commands() const = 0;
+    /// Targets that the trainer added in the run: they follow those of the world.
+    virtual const std::vector<core::TargetLayout>& added() const = 0;
     virtual const ReplayResult& result() const = 0;
     /// Null while they are being worked out, and for good where the run cannot be run again.
     virtual std::shared_ptr<const ReplayOrders> orders() const = 0;

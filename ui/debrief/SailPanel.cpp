@@ -21,10 +21,11 @@ SailPanel::SailPanel(Branch& branch, QWidget* parent)
     auto* const layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
-    auto* const what = new QLabel(tr("What if? Sailed anew from %1. The recording stays as it is; this run is "
-                                     "recorded on its own as training.")
-                                      .arg(elapsed(branch.from())),
-                                  this);
+    auto* const what =
+        new QLabel(tr("What if? Sailed anew from %1. The recording stays as it is; this run is "
+                      "recorded on its own as training.")
+                       .arg(elapsed(branch.from())),
+                   this);
     what->setWordWrap(true);
     layout->addWidget(what);
     QFont bold = m_clock->font();
@@ -45,7 +46,8 @@ SailPanel::SailPanel(Branch& branch, QWidget* parent)
     });
     m_rate->setObjectName(QStringLiteral("branch-rate"));
     m_rate->setToolTip(tr("Pace: seconds of the run in a second of the clock"));
-    for (const double rate : {1.0, 2.0, 5.0, 10.0, 20.0}) m_rate->addItem(QStringLiteral("%1×").arg(rate), rate);
+    for (const double rate : {1.0, 2.0, 5.0, 10.0, 20.0})
+        m_rate->addItem(QStringLiteral("%1×").arg(rate), rate);
     connect(m_rate, &QComboBox::currentIndexChanged, this,
             [this](int index) { m_branch.setRate(m_rate->itemData(index).toDouble()); });
     run->addWidget(m_start, 1);
@@ -75,7 +77,8 @@ SailPanel::SailPanel(Branch& branch, QWidget* parent)
 
 void SailPanel::refresh() {
     const auto now = m_branch.latest();
-    m_clock->setText(tr("%1   %2 local").arg(elapsed(now->time()), localTime(*m_branch.world(), now->time())));
+    m_clock->setText(
+        tr("%1   %2 local").arg(elapsed(now->time()), localTime(*m_branch.world(), now->time())));
     m_start->setText(m_branch.running() ? tr("Freeze") : tr("Start"));
     m_start->setEnabled(!m_branch.over());
     if (m_helm != nullptr) {

@@ -86,10 +86,9 @@ void ScorePanel::setNotes(const std::vector<DebriefMark>& marks) {
 void ScorePanel::fill() {
     const ThemeColours& c = themeColours(m_colours);
     m_score->setText(tr("%1 of 100 points").arg(chart::number(m_result.score, 0)));
-    m_verdict->setText(
-        m_result.passed
-            ? tr("Passed (%1 points needed)").arg(chart::number(m_result.passScore, 0))
-            : tr("Not passed: %1").arg(QString::fromStdString(m_result.whyNot)));
+    m_verdict->setText(m_result.passed
+                           ? tr("Passed (%1 points needed)").arg(chart::number(m_result.passScore, 0))
+                           : tr("Not passed: %1").arg(QString::fromStdString(m_result.whyNot)));
     m_advisory->setText(
         tr("Automatic score, advisory. Graded from %1.").arg(QString::fromStdString(m_result.gradedFrom)));
     m_list->clear();

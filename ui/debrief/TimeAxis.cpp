@@ -68,7 +68,8 @@ core::SimTime TimeAxis::timeAt(double x_px, double width_px) const {
 
 double TimeAxis::step_s(double width_px, double apart_px) const {
     const double perSecond_px = (width_px - kLeft_px - kRight_px) / (m_to_s - m_from_s);
-    for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0})
+    for (const double step :
+         {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0})
         if (step * perSecond_px >= apart_px) return step;
     return 7200.0;
 }

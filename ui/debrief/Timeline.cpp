@@ -97,8 +97,8 @@ void Timeline::paintEvent(QPaintEvent*) {
     for (int lane = 0; lane < kLanes; ++lane) {
         const double y = laneMiddle_px(lane);
         p.setPen(c.text);
-        p.drawText(QRectF(6, y - line_px, TimeAxis::kLeft_px - 12, 2 * line_px), Qt::AlignVCenter | Qt::AlignLeft,
-                   names[lane]);
+        p.drawText(QRectF(6, y - line_px, TimeAxis::kLeft_px - 12, 2 * line_px),
+                   Qt::AlignVCenter | Qt::AlignLeft, names[lane]);
         p.setPen(QPen(c.line, 1));
         p.drawLine(QPointF(TimeAxis::kLeft_px, y), QPointF(right_px, y));
     }
@@ -151,7 +151,8 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons() & Qt::LeftButton) Q_EMIT m_axis.picked(m_axis.timeAt(event->position().x(), width()));
+    if (event->buttons() & Qt::LeftButton)
+        Q_EMIT m_axis.picked(m_axis.timeAt(event->position().x(), width()));
     setCursor(markAt(event->position()) != nullptr ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
@@ -177,9 +178,9 @@ bool Timeline::event(QEvent* event) {
     const DebriefMark* const mark = markAt(help->pos());
     const QString time = elapsed(mark != nullptr ? mark->time : m_axis.timeAt(help->pos().x(), width()));
     QToolTip::showText(help->globalPos(),
-                       mark != nullptr ? QStringLiteral("%1  %2").arg(time, mark->text)
-                                       : tr("%1: click to go there; the wheel zooms, a double click shows all")
-                                             .arg(time),
+                       mark != nullptr
+                           ? QStringLiteral("%1  %2").arg(time, mark->text)
+                           : tr("%1: click to go there; the wheel zooms, a double click shows all").arg(time),
                        this);
     return true;
 }

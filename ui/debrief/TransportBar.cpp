@@ -27,9 +27,11 @@ TransportBar::TransportBar(QWidget* parent)
     QToolButton* const back10 =
         button(QStringLiteral("back-10"), tr("−10 s"), {}, tr("Ten seconds back (Shift+Left)"));
     QToolButton* const back1 = button(QStringLiteral("back-1"), tr("−1 s"), {}, tr("A second back (Left)"));
-    m_play = button(QStringLiteral("play"), {}, QStringLiteral("media-play-google"), tr("Play or pause (Space)"));
+    m_play =
+        button(QStringLiteral("play"), {}, QStringLiteral("media-play-google"), tr("Play or pause (Space)"));
     QToolButton* const on1 = button(QStringLiteral("on-1"), tr("+1 s"), {}, tr("A second on (Right)"));
-    QToolButton* const on10 = button(QStringLiteral("on-10"), tr("+10 s"), {}, tr("Ten seconds on (Shift+Right)"));
+    QToolButton* const on10 =
+        button(QStringLiteral("on-10"), tr("+10 s"), {}, tr("Ten seconds on (Shift+Right)"));
     m_next = button(QStringLiteral("next-mark"), {}, QStringLiteral("media-skip-next-google-f"),
                     tr("To the next mark (Ctrl+Right)"));
     connect(m_before, &QToolButton::clicked, this, [this] { Q_EMIT markWanted(-1); });
@@ -99,16 +101,17 @@ void TransportBar::setReplay(Replay& replay) {
     m_replay = &replay;
     m_replay->setRate(m_rate->currentData().toDouble());
     m_sail->setEnabled(replay.exact());
-    m_sail->setToolTip(replay.exact()
-                           ? tr("What if: take the ship at this second and sail on; this recording stays as it is")
-                           : tr("Only a run of this build of Sagara can be sailed on"));
+    m_sail->setToolTip(
+        replay.exact()
+            ? tr("What if: take the ship at this second and sail on; this recording stays as it is")
+            : tr("Only a run of this build of Sagara can be sailed on"));
     refresh(false);
 }
 
 void TransportBar::refresh(bool exactShown) {
     if (m_replay == nullptr) return;
-    const QString icon = m_replay->playing() ? QStringLiteral("media-pause-google")
-                                             : QStringLiteral("media-play-google");
+    const QString icon =
+        m_replay->playing() ? QStringLiteral("media-pause-google") : QStringLiteral("media-play-google");
     if (m_play->property("icon-name").toString() != icon) {
         m_play->setProperty("icon-name", icon);
         m_play->setIcon(themedIcon(icon, m_colours));

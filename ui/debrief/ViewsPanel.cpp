@@ -27,7 +27,8 @@ QWidget* ViewsPanel::view(std::size_t index) {
     auto* const camera = new QComboBox(panel);
     camera->setObjectName(QStringLiteral("camera-%1").arg(index));
     camera->setAccessibleName(tr("Camera"));
-    camera->setToolTip(tr("Camera. Drag to look round, wheel or B for glasses, double click ahead; free: W A S D R F"));
+    camera->setToolTip(
+        tr("Camera. Drag to look round, wheel or B for glasses, double click ahead; free: W A S D R F"));
     const std::pair<QString, CameraKind> kinds[] = {{tr("Bridge"), CameraKind::Bridge},
                                                     {tr("Port wing"), CameraKind::WingPort},
                                                     {tr("Starboard wing"), CameraKind::WingStarboard},
@@ -55,7 +56,8 @@ QWidget* ViewsPanel::view(std::size_t index) {
     both->setToolTip(tr("A second view below, through a camera of its own"));
     head->addWidget(both);
     connect(both, &QCheckBox::toggled, this, [this](bool on) {
-        if (m_panels.size() < 2) m_layout->addWidget(view(1), 1);  // costs time to draw: not before it is wanted
+        if (m_panels.size() < 2)
+            m_layout->addWidget(view(1), 1);  // costs time to draw: not before it is wanted
         m_panels[1]->setVisible(on);
     });
     return panel;
