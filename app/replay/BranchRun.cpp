@@ -57,7 +57,7 @@ void BranchRun::write(std::span<const std::byte> bytes) {
 }
 
 ui::ExerciseRun::Picture BranchRun::toDraw() {
-    wall::Moment moment = m_live->toDraw();
+    wall::Moment moment = m_live->toDraw(m_clock);
     return {moment.time, std::move(moment.snapshot)};
 }
 

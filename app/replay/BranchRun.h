@@ -62,6 +62,7 @@ private:
     std::string m_filingTrouble;
     core::RecordingWriter m_writer;
     std::unique_ptr<live::LiveRun> m_live;
+    wall::FrameClock m_clock;
     std::optional<std::string> m_outcome;
 };
 
