@@ -3,8 +3,12 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
 
 namespace sagara::ui {
 namespace {
@@ -12,6 +16,24 @@ namespace {
 /// OpenAL: x to the right, y up, z backwards.
 std::array<float, 3> axes(const SoundPlace& p) {
     return {static_cast<float>(p.starboard_m), static_cast<float>(p.up_m), static_cast<float>(-p.forward_m)};
+}
+
+/// Whether there is anything that could make a sound. Asked first, because ALSA's library writes its
+/// complaints to the terminal where there is nothing.
+bool anySoundSystem() {
+    namespace fs = std::filesystem;
+    if (std::getenv("ALSOFT_DRIVERS") != nullptr || std::getenv("PULSE_SERVER") != nullptr) return true;
+    std::error_code ignored;
+    fs::path runtime = "/run/user/" + std::to_string(::getuid());
+    if (const char* const given = std::getenv("XDG_RUNTIME_DIR")) runtime = given;
+    for (const fs::path& door :
+         {runtime / "pulse/native", fs::path("/run/pulse/native"), fs::path("/dev/dsp")})
+        if (fs::exists(door, ignored)) return true;
+    for (const auto& entry : fs::directory_iterator("/dev/snd", ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.rfind("pcm", 0) == 0 && name.back() == 'p') return true;  // plays
+    }
+    return false;
 }
 
 }  // namespace
@@ -30,6 +52,7 @@ SoundPlayer::~SoundPlayer() {
 }
 
 bool SoundPlayer::open() {
+    if (!anySoundSystem()) return false;
     m_device = alcOpenDevice(nullptr);
     if (m_device == nullptr) return false;
     m_context = alcCreateContext(m_device, nullptr);

@@ -1,12 +1,15 @@
 #include "ui/input/NmeaPort.h"
 
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <unistd.h>
 
 #include <QElapsedTimer>
 #include <QNetworkDatagram>
 #include <QSignalSpy>
 #include <QTest>
 #include <QUdpSocket>
+#include <array>
 #include <random>
 
 #include "tests/support/exercise/Lesson.h"
@@ -59,6 +62,27 @@ TEST(NmeaPort, APortThatIsTakenAndADeviceThatIsNotThereAreSaid) {
     EXPECT_TRUE(port.trouble().contains(settings.serialPort));
     port.open({});
     EXPECT_TRUE(port.trouble().isEmpty());
+}
+
+TEST(NmeaPort, ASerialLineIsReadAndItsLossIsTold) {
+    int bridge = -1;
+    int line = -1;
+    std::array<char, 64> name{};
+    ASSERT_EQ(openpty(&bridge, &line, name.data(), nullptr, nullptr), 0);
+    ::close(line);
+    NmeaPort port;
+    QSignalSpy lost(&port, &NmeaPort::lost);
+    NmeaSettings settings;
+    settings.source = NmeaSource::Serial;
+    settings.serialPort = QString::fromLatin1(name.data());
+    port.open(settings);
+    ASSERT_TRUE(port.trouble().isEmpty()) << port.trouble().toStdString();
+    const std::string text = withChecksum("IIETL,,O,02,,B,0") + "\r\n";
+    ASSERT_EQ(::write(bridge, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return port.counts().orders == 1; }));
+    ::close(bridge);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return lost.size() == 1; }));
+    EXPECT_TRUE(port.trouble().contains(settings.serialPort));
 }
 
 TEST(NmeaPort, NoiseOnTheLineIsCountedAndShownAsDots) {
