@@ -65,6 +65,12 @@ std::optional<RunRecord> readOne(Query row) {
     return readRun(row);
 }
 
+std::vector<RunRecord> readAll(Query row) {
+    std::vector<RunRecord> runs;
+    while (row.next()) runs.push_back(readRun(row));
+    return runs;
+}
+
 std::optional<std::string> hashText(std::optional<std::uint64_t> hash) {
     if (!hash) return std::nullopt;
     return core::toHex(*hash);
@@ -112,11 +118,19 @@ std::optional<RunRecord> RunRepository::findByRecording(std::string_view recordi
 }
 
 std::vector<RunRecord> RunRepository::list(Page page) const {
-    Query row(m_db.connection(), kSelect + u"ORDER BY started_utc DESC, id DESC LIMIT ? OFFSET ?"_s,
-              page.limit, page.offset);
-    std::vector<RunRecord> runs;
-    while (row.next()) runs.push_back(readRun(row));
-    return runs;
+    return readAll(Query(m_db.connection(),
+                         kSelect + u"ORDER BY started_utc DESC, id DESC LIMIT ? OFFSET ?"_s, page.limit,
+                         page.offset));
+}
+
+std::vector<RunRecord> RunRepository::finished() const {
+    return readAll(Query(m_db.connection(),
+                         kSelect + u"WHERE status = 'finished' AND person_id IS NOT NULL ORDER BY id"_s));
+}
+
+std::vector<RunRecord> RunRepository::finishedBy(PersonId person) const {
+    return readAll(Query(m_db.connection(),
+                         kSelect + u"WHERE status = 'finished' AND person_id = ? ORDER BY id"_s, person));
 }
 
 std::int64_t RunRepository::count() const {

@@ -19,11 +19,13 @@ std::shared_ptr<const core::Snapshot> snapshotOf(const core::World& world, const
 }  // namespace
 
 LiveRun::LiveRun(std::shared_ptr<const core::World> world, core::State start,
-                 std::vector<core::Command> planned, core::RecordingWriter* recorder)
+                 std::vector<core::Command> planned, core::RecordingWriter* recorder,
+                 std::vector<core::Event> past)
     : m_session(world, start, std::move(planned), recorder),
       m_world(std::move(world)),
       m_latest(snapshotOf(*m_world, start)),
-      m_state(std::move(start)) {
+      m_state(std::move(start)),
+      m_events(std::move(past)) {
     m_trail.add(m_latest);
     m_over = m_session.over();
     m_thread = std::thread([this] { run(); });
@@ -47,7 +49,6 @@ void LiveRun::freeze() {
 void LiveRun::setRate(double times) {
     const std::lock_guard lock(m_mutex);
     m_rate = std::clamp(times, 0.1, kFastestRate);
-    m_clock = wall::FrameClock(m_rate);
 }
 
 void LiveRun::stop() {
@@ -133,9 +134,10 @@ std::vector<core::Event> LiveRun::eventsFrom(std::size_t index) const {
     return {from, m_events.end()};
 }
 
-wall::Moment LiveRun::toDraw() {
+wall::Moment LiveRun::toDraw(wall::FrameClock& clock) const {
     const std::lock_guard lock(m_mutex);
-    const core::SimTime time = m_clock.at(link::steadyClock_us(), m_trail.newest());
+    clock.setRate(m_rate);
+    const core::SimTime time = clock.at(link::steadyClock_us(), m_trail.newest());
     return {time, m_trail.at(time)};
 }
 

@@ -19,13 +19,13 @@ namespace sagara::live {
 inline constexpr double kFastestRate = 20.0;  ///< seconds of the exercise to one of the wall clock
 
 /// An exercise that runs in a thread of its own at the pace of the clock: started, frozen, hastened and given
-/// orders from other threads, and what is to be seen of it now. Every call may come from any thread, but
-/// `toDraw` always from the same one.
+/// orders from other threads, and what is to be seen of it now. Every call may come from any thread.
 class LiveRun {
 public:
-    /// `recorder` may be null; it is used from the thread of the run and outlives it.
+    /// `recorder` may be null; it is used from the thread of the run and outlives it. `past`: what had
+    /// happened before, of a run that is taken up again.
     LiveRun(std::shared_ptr<const core::World> world, core::State start, std::vector<core::Command> planned,
-            core::RecordingWriter* recorder = nullptr);
+            core::RecordingWriter* recorder = nullptr, std::vector<core::Event> past = {});
     ~LiveRun();
     LiveRun(const LiveRun&) = delete;
     LiveRun& operator=(const LiveRun&) = delete;
@@ -53,8 +53,8 @@ public:
     core::State state() const;  ///< a copy, at a whole tick
     /// What has happened from the event of that index on.
     std::vector<core::Event> eventsFrom(std::size_t index) const;
-    /// What is to be drawn now: one tick behind, evenly.
-    wall::Moment toDraw();
+    /// What is to be drawn now: one tick behind, evenly. Each display has a clock of its own.
+    wall::Moment toDraw(wall::FrameClock& clock) const;
 
 private:
     void run();
@@ -63,7 +63,7 @@ private:
 
     core::Session m_session;  ///< of the thread once it runs
     const std::shared_ptr<const core::World> m_world;
-    mutable std::mutex m_mutex;  ///< of what follows up to the clock
+    mutable std::mutex m_mutex;  ///< of what follows up to m_carriedOut
     std::condition_variable m_wake;
     link::SnapshotTrail m_trail;
     std::shared_ptr<const core::Snapshot> m_latest;
@@ -71,7 +71,6 @@ private:
     std::vector<core::Event> m_events;
     std::vector<std::pair<std::uint8_t, core::Order>> m_given;
     std::optional<core::SimTime> m_carriedOut;
-    wall::FrameClock m_clock;
 
     std::atomic<double> m_rate{1.0};
     std::atomic<bool> m_running{false};

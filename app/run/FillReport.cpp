@@ -30,8 +30,9 @@ void fillTracks(report::RunReport& r, const core::World& world, const core::Miss
                 const core::Recording& recording) {
     const auto track = recording.track(world.ships.size(), world.targets.size());
     std::vector<report::OtherTrack> others;
-    for (const core::TargetLayout& t : world.targets) {
-        others.push_back({t.name, t.behaviour == core::TargetBehaviour::Hostile, {}});
+    for (const auto* list : {&world.targets, &recording.added}) {
+        for (const core::TargetLayout& t : *list)
+            others.push_back({t.name, t.behaviour == core::TargetBehaviour::Hostile, {}});
     }
     core::RouteProgress progress;
     constexpr std::int64_t kOthersEvery_ticks = 10 * core::kTicksPerSecond;

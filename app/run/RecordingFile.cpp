@@ -35,6 +35,14 @@ std::unique_ptr<RecordingFile> RecordingFile::open(const fs::path& path, std::si
     return file;
 }
 
+bool RecordingFile::isBeingWritten(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(descriptor);
+    return locked;
+}
+
 void RecordingFile::write(std::span<const std::byte> bytes) {
     if (!m_trouble.empty()) return;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) == bytes.size();

@@ -18,6 +18,9 @@ public:
     static std::unique_ptr<RecordingFile> open(const std::filesystem::path& path, std::size_t whole_bytes,
                                                std::string& trouble);
 
+    /// Whether a program, this one too, has it open for that.
+    static bool isBeingWritten(const std::filesystem::path& path);
+
     void write(std::span<const std::byte> bytes);
     const std::string& trouble() const { return m_trouble; }
     const std::filesystem::path& path() const { return m_path; }

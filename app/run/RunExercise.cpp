@@ -11,6 +11,7 @@
 #include "app/run/Outputs.h"
 #include "app/run/RecordingFile.h"
 #include "app/run/RunFiling.h"
+#include "app/run/TakeUp.h"
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
@@ -86,25 +87,16 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
 }
 
 std::optional<Prepared> prepareResumed(const RunOptions& options) {
-    const fs::path& path = *options.resume;
-    const auto bytes = files::readBinaryFile(path);
-    if (!bytes) return tell(bytes.error().message), std::nullopt;
-    const auto recording = core::readRecording(*bytes);
-    if (!recording) return tell(path.string() + ": " + recording.error()), std::nullopt;
-    if (recording->end)
-        return tell(path.string() + ": this run has ended; there is nothing to take up again"), std::nullopt;
-    auto world = core::worldOf(*recording);
-    if (!world) return tell(world.error().text()), std::nullopt;
-    auto state = core::stateAt(**world, *recording, recording->endTick);
-    if (!state) return tell(path.string() + ": " + state.error()), std::nullopt;
-    const std::size_t lost_bytes = bytes->size() - recording->whole_bytes;
-    tell(fmt::format("{}: {}; taken up again at {}{}", path.string(), recording->damage,
-                     clock(core::timeOfTick(recording->endTick).seconds()),
-                     lost_bytes ? fmt::format(", {} bytes after that are cut off", lost_bytes) : ""));
-    core::RecordingHeader header = recording->header;
-    addEnd(options.duration_s, header.planned);
-    return Prepared{std::move(world).value(), std::move(state).value(), std::move(header),
-                    recording->events,        fs::absolute(path),       recording->whole_bytes};
+    auto found = takeUp(*options.resume);
+    if (!found) return tell(found.error()), std::nullopt;
+    TakenUp taken = std::move(found).value();
+    tell(fmt::format(
+        "{}: {}; taken up again at {}{}", options.resume->string(), taken.damage,
+        clock(taken.state.time().seconds()),
+        taken.lost_bytes ? fmt::format(", {} bytes after that are cut off", taken.lost_bytes) : ""));
+    addEnd(options.duration_s, taken.header.planned);
+    return Prepared{std::move(taken.world),  std::move(taken.state),        std::move(taken.header),
+                    std::move(taken.events), fs::absolute(*options.resume), taken.whole_bytes};
 }
 
 /// Keeps the simulation's seconds to those of the wall, when asked to.

@@ -31,6 +31,10 @@ public:
     /// Enters its end and grade, or notes the recording for later and says so.
     std::string end(const db::NewRun& run, const RunSummary& summary, bool finished);
 
+    /// Enters a run that was broken off as it stands in its recording. Returns a message when that failed.
+    std::string fileAsItStands(const std::filesystem::path& recording) {
+        return fileFromRecording(recording);
+    }
     /// Files the runs noted earlier. One message for each that was filed or still cannot be.
     std::vector<std::string> fileNoted();
 

@@ -8,17 +8,15 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "app/files/AssetSource.h"
 #include "app/files/BuildScenario.h"
-#include "app/files/Files.h"
 #include "app/live/LiveRun.h"
 #include "app/live/SteppedRun.h"
 #include "app/run/CommandDelay.h"
 #include "app/run/Console.h"
 #include "app/run/RunOptions.h"
+#include "app/run/WallLayouts.h"
 #include "app/run/WallPictures.h"
 #include "app/run/WallStatistics.h"
-#include "core/base/Config.h"
 #include "core/base/Units.h"
 #include "core/exercise/Session.h"
 #include "render/link/SteadyClock.h"
@@ -32,27 +30,17 @@ namespace fs = std::filesystem;
 constexpr double kAssemble_s = 20.0;  ///< channels that are not there by then join later
 
 std::optional<wall::Layout> findLayout(const WallRunOptions& options) {
-    const bool id = core::config::isId(options.layout);
-    const fs::path path =
-        id ? files::assetFolder() / "walls" / (options.layout + ".json") : fs::path(options.layout);
-    const auto text = files::readTextFile(path);
-    if (!text) return tell(text.error().message), std::nullopt;
-    auto loaded = wall::loadLayout(path.filename().string(), *text);
-    if (!loaded) return tell(loaded.error().text()), std::nullopt;
-    wall::Layout layout = std::move(loaded).value();
+    auto found = findWallLayout(options.layout);
+    if (!found) return tell(found.error()), std::nullopt;
+    wall::Layout layout = std::move(found).value();
     if (options.size_px) layout = wall::resized(layout, options.size_px->first, options.size_px->second);
     if (options.fullScreen) layout = wall::fullScreen(layout);
     if (options.offscreen) layout = wall::offscreen(layout);
     return layout;
 }
 
-/// sagara-view as installed or built beside this program.
 fs::path viewProgram(const WallRunOptions& options) {
-    if (options.view) return fs::absolute(*options.view);
-    std::error_code ignored;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    const fs::path built = folder.parent_path() / "sagara-view" / "sagara-view";
-    return fs::exists(built, ignored) ? built : folder / "sagara-view";
+    return options.view ? fs::absolute(*options.view) : run::viewProgram();
 }
 
 std::string tokenOfEnvironment() {
@@ -140,7 +128,7 @@ private:
     }
 
     wall::Moment moment() {
-        wall::Moment moment = m_options.fast ? m_stepped.next() : m_live.toDraw();
+        wall::Moment moment = m_options.fast ? m_stepped.next() : m_live.toDraw(m_clock);
         m_time = moment.time;
         if (const auto at = m_live.carriedOut()) m_delay.carriedOut(*at);
         m_delay.sent(m_server.frame(), moment.time);
@@ -240,6 +228,7 @@ private:
     std::optional<wall::LocalChannels> m_channels;
     wall::WallServer m_server;
     QEventLoop m_loop;
+    wall::FrameClock m_clock;
     core::SimTime m_time, m_first;
     CommandDelay m_delay;
     double m_begun_s = 0.0, m_nextShot_s = 0.0, m_lastKill_s = 0.0, m_lastOrder_s = 0.0;

@@ -29,9 +29,8 @@ int main(int argc, char** argv) {
     stage.assets = files::assetFolder();
     stage.headless = !render::displayIsSet();
     station::Station window(**store, stage);
-    window.resize(1280, 720);
     if (!request.scenario.empty()) {
-        if (const auto trouble = window.open(request))
+        if (const auto trouble = window.openRun(request))
             return std::fprintf(stderr, "sagara: %s\n", trouble->c_str()), 2;
     }
     window.show();

@@ -6,26 +6,19 @@
 
 #include "app/files/BuildScenario.h"
 #include "app/station/DemoRun.h"
-#include "db/SettingRepository.h"
+#include "app/station/DemoStationWall.h"
+#include "app/station/Settings.h"
 
 namespace sagara::station {
 namespace {
-
-std::string settingOr(run::Store& store, const char* key, std::string otherwise) {
-    if (store.database() == nullptr) return otherwise;
-    try {
-        return db::SettingRepository(*store.database()).find(key).value_or(otherwise);
-    } catch (const db::DbError&) {
-        return otherwise;  // an exhibition goes on without its database
-    }
-}
 
 ui::DemoSettings settingsOf(run::Store& store, const DemoOptions& options) {
     ui::DemoSettings settings;
     settings.timing = options.timing;
     settings.fullScreen = options.fullScreen;
-    settings.pin = settingOr(store, "demo.pin", settings.pin);
-    const QKeySequence chord(QString::fromStdString(settingOr(store, "demo.chord", {})));
+    const Settings kept(store);
+    settings.pin = kept.get("demo.pin").value_or(settings.pin);
+    const QKeySequence chord(QString::fromStdString(kept.get("demo.chord").value_or(std::string())));
     if (!chord.isEmpty()) settings.chord = chord;
     settings.log = qEnvironmentVariable("SAGARA_DEMO_LOG").toStdString();
     bool given = false;
@@ -67,11 +60,13 @@ core::Result<ui::Page*, std::string> openDemo(Frame& frame, DemoOptions options)
     // One lesson is enough for a show; a broken one is left out.
     if (worlds.empty()) return troubles.empty() ? std::string("no lesson is chosen for it") : troubles;
     ui::DemoPorts ports;
-    ports.exercises = std::make_unique<DemoLessons>(std::move(worlds), options.level);
+    auto lessons = std::make_unique<DemoLessons>(std::move(worlds), options.level);
+    if (!options.wallLayout.empty())
+        ports.wall = std::make_unique<DemoStationWall>(lessons->demoRun(), options.wallLayout, options.wallPlacement);
+    ports.exercises = std::move(lessons);
     ports.stageFor = [&frame](const std::shared_ptr<const core::World>& world) {
         return frame.stageFor(world);
     };
-    ports.wall = options.wall;
     ports.stick = options.stick;
     auto* const page = new ui::DemoPage(std::move(ports), settingsOf(frame.store(), options));
     page->setColours(frame.colours());

@@ -16,14 +16,15 @@ bool startsUnderWay(const core::State& first) {
 }  // namespace
 
 void DemoRun::put(std::shared_ptr<const core::World> world, core::State first) {
-    m_world = std::move(world);
-    auto next = std::make_shared<live::LiveRun>(m_world, std::move(first),
-                                                std::vector<core::Command>{{0, 0, core::PilotOrder{true}}});
+    auto next = std::make_shared<live::LiveRun>(
+        world, std::move(first), std::vector<core::Command>{{0, 0, core::PilotOrder{true}}});
     {
         const std::lock_guard lock(m_mutex);
+        m_world.swap(world);
         m_live.swap(next);
+        m_clock = wall::FrameClock();
     }
-    if (next) next->stop();  // whoever still draws it sees it stand
+    if (next) next->stop();
 }
 
 std::shared_ptr<live::LiveRun> DemoRun::live() const {
@@ -32,8 +33,14 @@ std::shared_ptr<live::LiveRun> DemoRun::live() const {
 }
 
 ui::ExerciseRun::Picture DemoRun::toDraw() {
-    wall::Moment moment = live()->toDraw();
+    wall::Moment moment = live()->toDraw(m_clock);
     return {moment.time, std::move(moment.snapshot)};
+}
+
+std::optional<wall::Moment> DemoRun::momentForWall(const core::World& shown, wall::FrameClock& clock) const {
+    const std::lock_guard lock(m_mutex);
+    if (m_world.get() != &shown) return std::nullopt;
+    return m_live->toDraw(clock);
 }
 
 DemoLessons::DemoLessons(std::vector<std::shared_ptr<const core::World>> worlds, int level) {

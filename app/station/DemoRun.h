@@ -10,8 +10,8 @@
 namespace sagara::station {
 
 /// A run that begins anew as often as one likes and is written nowhere: no recording, no database. One object
-/// for all lessons, so that whoever draws it (the wall's thread too) keeps what it has; every call may come
-/// from any thread but `put`, and `world` from the thread of `put`.
+/// for all lessons, so that whoever draws it keeps what it has. Of the thread of the windows, but for
+/// `momentForWall`.
 class DemoRun final : public ui::ExerciseRun {
 public:
     /// Frozen at that State; the pilot takes the ship with the first tick.
@@ -21,6 +21,8 @@ public:
     std::shared_ptr<const core::Snapshot> latest() const override { return live()->latest(); }
     core::State state() const override { return live()->state(); }
     Picture toDraw() override;
+    /// What a display of that world in another thread draws now; nothing once there is another world.
+    std::optional<wall::Moment> momentForWall(const core::World& shown, wall::FrameClock& clock) const;
     std::vector<core::Event> eventsFrom(std::size_t index) const override {
         return live()->eventsFrom(index);
     }
@@ -39,7 +41,8 @@ private:
 
     std::shared_ptr<const core::World> m_world;
     mutable std::mutex m_mutex;
-    std::shared_ptr<live::LiveRun> m_live;  ///< under m_mutex
+    std::shared_ptr<live::LiveRun> m_live;  ///< under m_mutex, and m_world is for momentForWall
+    wall::FrameClock m_clock;
 };
 
 /// The lessons of the exhibition: a World each, built once, and its first State.
@@ -52,6 +55,7 @@ public:
     std::size_t helmLesson() const override { return m_helmLesson; }
     void begin(std::size_t lesson) override;
     ui::ExerciseRun& run() override { return m_run; }
+    const DemoRun& demoRun() const { return m_run; }
 
 private:
     struct Lesson {

@@ -23,6 +23,9 @@ public:
 
     /// Shows a page over the present one; the window owns it and deletes it when it is left.
     virtual void openPage(ui::Page* page) = 0;
+    /// The same in place of the present one, which is not asked and goes when control is back in the event
+    /// loop.
+    virtual void replacePage(ui::Page* page) = 0;
     /// Opens the trainer's desk of a run. The error is for the person who chose.
     virtual std::optional<std::string> openRun(const RunRequest& request) = 0;
     /// Opens the debriefing of a recording.

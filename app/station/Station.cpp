@@ -1,110 +1,218 @@
 #include "app/station/Station.h"
 
+#include <QApplication>
 #include <QCloseEvent>
-#include <QMessageBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
 
-#include "app/files/BuildScenario.h"
-#include "db/DocumentRepository.h"
-#include "ui/start/StartPage.h"
-#include "ui/trainer/TrainerDesk.h"
+#include "app/station/DeskPage.h"
+#include "app/station/Doors.h"
+#include "ui/theme/Theme.h"
 
 namespace sagara::station {
 namespace {
 
-std::vector<ui::ScenarioEntry> scenariosOf(run::Store& store) {
-    std::vector<ui::ScenarioEntry> entries;
-    if (store.database() != nullptr) {
-        for (const auto& e : db::DocumentRepository(*store.database(), db::DocumentTable::Scenario).inUse())
-            entries.push_back({e.key, e.name});
-        return entries;
-    }
-    for (const std::string& id : store.assets().ids(core::DocumentKind::Scenario))
-        entries.push_back({id, id});
-    return entries;
+constexpr const char* kPalettes[] = {"day", "dusk", "night"};
+constexpr int kBar_px = 40;
+
+ui::PaletteName paletteOf(const std::string& name) {
+    for (int i = 0; i < 3; ++i)
+        if (name == kPalettes[i]) return static_cast<ui::PaletteName>(i);
+    return ui::PaletteName::Day;
 }
 
 }  // namespace
 
 Station::Station(run::Store& store, render::StageOptions stage)
-    : m_store(store),
-      m_stageOptions(std::move(stage)),
-      m_start(new ui::StartPage(
-          scenariosOf(store), [&store](const std::string& id) { return files::buildScenario(store, id); },
-          this)) {
-    setWindowTitle(tr("Sagara"));
-    addWidget(m_start);
-    if (!store.trouble().empty()) m_start->setTrouble(QString::fromStdString(store.trouble()));
-    connect(m_start, &ui::StartPage::chosen, this, [this](const ui::StartChoice& choice) {
-        RunRequest request;
-        request.scenario = choice.scenario;
-        request.level = choice.level;
-        request.type = choice.type;
-        request.trainee = choice.trainee;
-        request.pilot = choice.pilot;
-        if (const auto trouble = open(request)) m_start->setTrouble(QString::fromStdString(*trouble));
-    });
+    : m_store(store), m_stageOptions(std::move(stage)), m_settings(store), m_stack(new QStackedWidget(this)) {
+    setObjectName(QStringLiteral("station"));
+    m_bar = makeBar();
+    auto* const layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_bar);
+    layout->addWidget(m_stack, 1);
+    setColours(paletteOf(m_settings.get("ui.palette").value_or("day")));
+    openPage(homePage(*this));
+    resize(1280, 720);
+    if (const auto kept = m_settings.get("ui.geometry"))
+        restoreGeometry(QByteArray::fromBase64(QByteArray::fromStdString(*kept)));
 }
 
-Station::~Station() { delete m_desk; }  // before the run and the stage it looks at
+Station::~Station() {
+    while (!m_pages.empty()) {  // before the stage they look at
+        delete m_pages.back();
+        m_pages.pop_back();
+    }
+}
 
-std::optional<std::string> Station::open(const RunRequest& request) {
-    if (m_run) return "a run is open already";
-    auto opened = StationRun::open(m_store, request);
-    if (!opened) return opened.error();
-    m_run = std::move(opened).value();
+QWidget* Station::makeBar() {
+    auto* const bar = new QWidget(this);
+    bar->setFixedHeight(kBar_px);
+    auto* const layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(8, 2, 8, 2);
+    const auto button = [&](const char* name, const QString& icon, const QString& tip) {
+        auto* const b = new QToolButton(bar);
+        b->setObjectName(QString::fromLatin1(name));
+        b->setAutoRaise(true);
+        b->setIconSize({24, 24});
+        b->setToolTip(tip);
+        b->setAccessibleName(tip);
+        b->setFocusPolicy(Qt::TabFocus);
+        m_icons.emplace_back(b, icon);
+        return b;
+    };
+    m_back = button("back", QStringLiteral("media-skip-previous-google-f"), tr("Back (Esc)"));
+    connect(m_back, &QToolButton::clicked, this, [this] { leavePage(); });
+    m_title = new QLabel(bar);
+    m_title->setObjectName(QStringLiteral("title"));
+    QFont font = m_title->font();
+    font.setBold(true);
+    font.setPointSizeF(1.15 * font.pointSizeF());
+    m_title->setFont(font);
+    layout->addWidget(m_back);
+    layout->addWidget(m_title, 1);
+    const QString tips[] = {tr("Day colours"), tr("Dusk colours"), tr("Night colours")};
+    const char* const icons[] = {"palette-day", "palette-dusk", "palette-night"};
+    for (int i = 0; i < 3; ++i) {
+        auto* const b = button(kPalettes[i], QString::fromLatin1(icons[i]), tips[i]);
+        b->setCheckable(true);
+        connect(b, &QToolButton::clicked, this, [this, i] { setColours(static_cast<ui::PaletteName>(i)); });
+        layout->addWidget(b);
+    }
+    layout->addSpacing(8);
+    auto* const settings = button("settings", QStringLiteral("settings-iec"), tr("Settings"));
+    connect(settings, &QToolButton::clicked, this, [this] { openPage(settingsPageOf(*this)); });
+    layout->addWidget(settings);
+    auto* const help = button("help", QStringLiteral("help"), tr("Help to this page (F1)"));
+    auto* const menu = new QMenu(help);
+    menu->addAction(tr("Help to this page"), this, &Station::help);
+    menu->addAction(tr("About Sagara"), this, [this] { showAbout(*this, this); })
+        ->setObjectName(QStringLiteral("about"));
+    help->setMenu(menu);
+    help->setPopupMode(QToolButton::MenuButtonPopup);
+    connect(help, &QToolButton::clicked, this, &Station::help);
+    layout->addWidget(help);
+    return bar;
+}
+
+render::Stage* Station::stageFor(const std::shared_ptr<const core::World>& world) {
     if (!m_stage) {
         auto stage = render::Stage::open(m_stageOptions);
-        if (stage) m_stage = std::move(stage).value();
+        if (!stage) return nullptr;
+        m_stage = std::move(stage).value();
     }
-    if (m_stage && m_stage->show(m_run->world())) m_stage.reset();
-    m_desk = new ui::TrainerDesk(*m_run, m_stage.get(), this);
-    connect(m_desk, &ui::TrainerDesk::endWanted, this, [this] {
-        if (confirmed(tr("End the exercise? It is graded as it stands."))) endRun();
-    });
-    addWidget(m_desk);
-    setCurrentWidget(m_desk);
-    setWindowTitle(m_desk->windowTitle());
+    if (m_staged.lock() == world) return m_stage.get();
+    if (m_stage->show(world)) return nullptr;
+    m_staged = world;
+    return m_stage.get();
+}
+
+ui::Page* Station::page() const { return m_pages.empty() ? nullptr : m_pages.back(); }
+
+void Station::openPage(ui::Page* page) {
+    page->setParent(this);
+    page->setColours(m_colours);
+    m_pages.push_back(page);
+    m_stack->addWidget(page);
+    // Queued: the page asks for it in the middle of its own work.
+    connect(
+        page, &ui::Page::leaveWanted, this,
+        [this, page] {
+            if (this->page() == page) leavePage();
+        },
+        Qt::QueuedConnection);
+    connect(page, &QWidget::windowTitleChanged, this, &Station::refreshBar);
+    showTop();
+}
+
+void Station::replacePage(ui::Page* page) {
+    ui::Page* const gone = m_pages.back();
+    m_pages.pop_back();
+    m_stack->removeWidget(gone);
+    gone->hide();
+    gone->deleteLater();
+    openPage(page);
+}
+
+void Station::showTop() {
+    setBarShown(true);
+    m_stack->setCurrentWidget(m_pages.back());
+    m_pages.back()->setFocus();
+    refreshBar();
+}
+
+void Station::refreshBar() {
+    const QString title = m_pages.empty() ? QString() : m_pages.back()->windowTitle();
+    m_title->setText(m_pages.size() > 1 ? title : QString());
+    m_back->setVisible(m_pages.size() > 1);
+    setWindowTitle(m_pages.size() > 1 && !title.isEmpty() ? tr("%1 - Sagara").arg(title) : tr("Sagara"));
+}
+
+void Station::setBarShown(bool shown) { m_bar->setVisible(shown); }
+
+void Station::dropTop() {
+    ui::Page* const gone = m_pages.back();
+    m_pages.pop_back();
+    m_stack->removeWidget(gone);
+    delete gone;
+    showTop();
+}
+
+bool Station::leavePage() {
+    if (m_pages.size() < 2 || !m_pages.back()->mayLeave()) return false;
+    dropTop();
+    return true;
+}
+
+bool Station::leaveAll() {
+    while (m_pages.size() > 1)
+        if (!leavePage()) return false;
+    return true;
+}
+
+std::optional<std::string> Station::openRun(const RunRequest& request) {
+    auto run = StationRun::open(m_store, request);
+    if (!run) return run.error();
+    openPage(new DeskPage(*this, std::move(run).value()));
     return std::nullopt;
 }
 
-void Station::endRun() {
-    if (!m_run) return;
-    const QString result = resultText(m_run->end());
-    const QString trouble = QString::fromStdString(m_run->trouble());
-    setCurrentWidget(m_start);
-    setWindowTitle(tr("Sagara"));
-    delete std::exchange(m_desk, nullptr);
-    m_run.reset();
-    auto* const box = new QMessageBox(QMessageBox::NoIcon, tr("Result"), result, QMessageBox::Ok, this);
-    box->setObjectName(QStringLiteral("result"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    if (!trouble.isEmpty()) box->setInformativeText(trouble);
-    box->open();
+std::optional<std::string> Station::openDebrief(const std::filesystem::path& recording) {
+    return recording.string();
 }
 
-QString Station::resultText(const run::RunSummary& s) const {
-    QString text = tr("<h3>%1: %2</h3><p>Score %3 of 100 (automatic, advisory). Sailed %4.</p>")
-                       .arg(QString::fromStdString(m_run->world()->scenarioName).toHtmlEscaped(),
-                            s.passed ? tr("passed") : tr("not passed"))
-                       .arg(s.score, 0, 'f', 0)
-                       .arg(QString::fromStdString(run::clock(s.simTime_s)));
-    if (!s.passed && !s.whyNot.empty())
-        text += QStringLiteral("<p>%1</p>").arg(QString::fromStdString(s.whyNot).toHtmlEscaped());
-    for (const auto& loss : s.losses)
-        text += tr("<br>%1  %2: %3 points")
-                    .arg(QString::fromStdString(run::clock(loss.time_s)),
-                         QString::fromStdString(loss.title).toHtmlEscaped())
-                    .arg(loss.points, 0, 'f', 0);
-    return text + tr("<p>Recording: %1</p>")
-                      .arg(QString::fromStdString(m_run->recording().string()).toHtmlEscaped());
+void Station::setColours(ui::PaletteName name) {
+    m_colours = name;
+    ui::applyTheme(*qApp, name);
+    for (const auto& [button, icon] : m_icons) button->setIcon(ui::themedIcon(icon, name));
+    for (int i = 0; i < 3; ++i)
+        m_bar->findChild<QToolButton*>(QString::fromLatin1(kPalettes[i]))
+            ->setChecked(i == static_cast<int>(name));
+    for (ui::Page* page : m_pages) page->setColours(name);
+    if (m_settings.get("ui.palette") != kPalettes[static_cast<int>(name)])
+        m_settings.put("ui.palette", kPalettes[static_cast<int>(name)]);
 }
 
-bool Station::confirmed(const QString& question) {
-    return QMessageBox::question(this, tr("Sagara"), question) == QMessageBox::Yes;
+void Station::help() {}
+
+void Station::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_F1) return help();
+    if (event->key() == Qt::Key_Escape && m_bar->isVisible()) {
+        leavePage();
+        return;
+    }
+    QWidget::keyPressEvent(event);
 }
 
 void Station::closeEvent(QCloseEvent* event) {
-    if (m_run && !m_run->over() && !confirmed(tr("A run is on. End it and leave?"))) return event->ignore();
+    for (auto page = m_pages.rbegin(); page != m_pages.rend(); ++page)
+        if (!(*page)->mayLeave()) return event->ignore();
+    m_settings.put("ui.geometry", saveGeometry().toBase64().toStdString());
     event->accept();
 }
 

@@ -1,48 +1,71 @@
 #pragma once
 
 #include <QStackedWidget>
-#include <memory>
+#include <functional>
+#include <vector>
 
-#include "app/station/StationRun.h"
-#include "render/scene/Stage.h"
+#include "app/station/Frame.h"
+#include "app/station/Settings.h"
 
-namespace sagara::ui {
-class StartPage;
-class TrainerDesk;
-struct StartChoice;
-}  // namespace sagara::ui
+class QLabel;
+class QToolButton;
 
 namespace sagara::station {
 
-/// The station's window: the start page, or the desk of the run that is on.
-class Station final : public QStackedWidget {
+/// The station's window: a bar and a stack of pages, of which the topmost is shown. Starts with the page of
+/// the doors.
+class Station final : public QWidget, public Frame {
     Q_OBJECT
 
 public:
     Station(run::Store& store, render::StageOptions stage);
     ~Station() override;
 
-    /// Opens the desk. The error is for the person who chose.
-    std::optional<std::string> open(const RunRequest& request);
-    /// Ends the run and shows its result; then the start page again.
-    void endRun();
-    StationRun* run() const { return m_run.get(); }
-    ui::TrainerDesk* desk() const { return m_desk; }
-    ui::StartPage* startPage() const { return m_start; }
+    // Frame
+    run::Store& store() override { return m_store; }
+    render::Stage* stageFor(const std::shared_ptr<const core::World>& world) override;
+    ui::PaletteName colours() const override { return m_colours; }
+    void openPage(ui::Page* page) override;
+    void replacePage(ui::Page* page) override;
+    std::optional<std::string> openRun(const RunRequest& request) override;
+    std::optional<std::string> openDebrief(const std::filesystem::path& recording) override;
+
+    /// Day, dusk or night for every window of the program; remembered.
+    void setColours(ui::PaletteName name);
+    Settings& settings() { return m_settings; }
+
+    ui::Page* page() const;
+    std::size_t depth() const { return m_pages.size(); }
+    /// Back to the page before, if the present one may be left. False when it stays.
+    bool leavePage();
+    /// Back to the doors.
+    bool leaveAll();
+    /// Pages that fill the screen have no bar.
+    void setBarShown(bool shown);
+    void help();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    bool confirmed(const QString& question);
-    QString resultText(const run::RunSummary& summary) const;
+    QWidget* makeBar();
+    void showTop();
+    void dropTop();
+    void refreshBar();
 
     run::Store& m_store;
     render::StageOptions m_stageOptions;
-    std::unique_ptr<StationRun> m_run;
+    Settings m_settings;
+    ui::PaletteName m_colours = ui::PaletteName::Day;
     std::unique_ptr<render::Stage> m_stage;
-    ui::StartPage* m_start;
-    ui::TrainerDesk* m_desk = nullptr;
+    std::weak_ptr<const core::World> m_staged;
+    QWidget* m_bar;
+    QLabel* m_title;
+    QToolButton* m_back;
+    std::vector<std::pair<QToolButton*, QString>> m_icons;  ///< to be drawn anew in other colours
+    QStackedWidget* m_stack;
+    std::vector<ui::Page*> m_pages;
 };
 
 }  // namespace sagara::station

@@ -7,63 +7,59 @@ namespace sagara::station {
 
 core::Result<std::unique_ptr<StationRun>, std::string> StationRun::open(run::Store& store,
                                                                         const RunRequest& request) {
+    auto world = files::buildScenario(store, request.scenario, request.seed);
+    if (!world) return world.error();
+    return open(store, request, std::move(world).value());
+}
+
+core::Result<std::unique_ptr<StationRun>, std::string> StationRun::open(
+    run::Store& store, const RunRequest& request, std::shared_ptr<const core::World> world) {
     std::string trainee;
     if (!request.trainee.empty()) {
         const auto name = db::personName(request.trainee);
         if (!name) return std::string(db::toText(name.error()));
         trainee = name.value();
     }
-    auto world = files::buildScenario(store, request.scenario, request.seed);
-    if (!world) return world.error();
-    core::RecordingHeader header = run::newHeader(**world, request.level, request.type, trainee);
+    core::RecordingHeader header = run::newHeader(*world, request.level, request.type, trainee);
     if (request.pilot) header.planned.push_back({0, 0, core::PilotOrder{true}});
-    std::string trouble;
-    auto file = run::RecordingFile::open(run::newRecordingPath(store, (*world)->scenarioId), 0, trouble);
-    if (!file) return trouble;
-    return std::unique_ptr<StationRun>(
-        new StationRun(store, std::move(world).value(), std::move(file), std::move(header)));
+    auto leg = RunLeg::begin(store, std::move(world), std::move(header));
+    if (!leg) return leg.error();
+    return std::unique_ptr<StationRun>(new StationRun(store, std::move(leg).value()));
 }
 
-StationRun::StationRun(run::Store& store, std::shared_ptr<const core::World> world,
-                       std::unique_ptr<run::RecordingFile> file, core::RecordingHeader header)
-    : m_world(std::move(world)),
-      m_file(std::move(file)),
-      m_filing(store),
-      m_run(m_filing.newRun(header, *m_world, m_file->path())),
-      m_writer([this](std::span<const std::byte> bytes) {
-          m_file->write(bytes);
-          const std::lock_guard lock(m_mutex);
-          m_recordingTrouble = m_file->trouble();
-      }) {
-    core::State start = core::startState(*m_world, header.level);
-    m_writer.begin(header, *m_world, start);
-    m_filingTrouble = m_filing.begin(m_run);
-    m_live = std::make_unique<live::LiveRun>(m_world, std::move(start), header.planned, &m_writer);
+core::Result<std::unique_ptr<StationRun>, std::string> StationRun::takeUp(
+    run::Store& store, const std::filesystem::path& recording) {
+    auto leg = RunLeg::takeUp(store, recording);
+    if (!leg) return leg.error();
+    return std::unique_ptr<StationRun>(new StationRun(store, std::move(leg).value()));
 }
 
-StationRun::~StationRun() { end(); }
+StationRun::~StationRun() = default;
 
 ui::ExerciseRun::Picture StationRun::toDraw() {
-    wall::Moment moment = m_live->toDraw();
+    wall::Moment moment = live().toDraw(m_clock);
     return {moment.time, std::move(moment.snapshot)};
 }
 
-std::string StationRun::trouble() const {
+wall::Moment StationRun::momentForWall(wall::FrameClock& clock) const {
     const std::lock_guard lock(m_mutex);
-    return m_recordingTrouble.empty() ? m_filingTrouble : m_recordingTrouble;
+    return live().toDraw(clock);
 }
 
-const run::RunSummary& StationRun::end() {
-    if (m_summary) return *m_summary;
-    m_live->stop();
-    const core::State state = m_live->state();
-    m_writer.end(state);
-    m_summary = run::summarise(*m_world, m_world->mission, state.assessment,
-                               run::assessmentEvents(m_live->eventsFrom(0)));
-    m_summary->simTime_s = state.time().seconds();
-    m_summary->stateHash = core::toHex(core::stateHash(state));
-    m_filingTrouble = m_filing.end(m_run, *m_summary, state.finished);
-    return *m_summary;
+std::optional<std::string> StationRun::goBack(std::int64_t second) {
+    if (!mayGoBack()) return "an assessment is graded as it was sailed: it cannot go back";
+    freeze();
+    auto again = RunLeg::sailAgain(m_store, *m_leg, second * core::kTicksPerSecond);
+    if (!again) return again.error();
+    const double rate = live().rate();
+    std::unique_ptr<RunLeg> left = std::move(again).value();
+    left->live().setRate(rate);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_leg.swap(left);
+    }
+    left->end();
+    return std::nullopt;
 }
 
 }  // namespace sagara::station

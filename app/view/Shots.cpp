@@ -38,7 +38,7 @@ std::vector<Shot> shotsOf(const core::World& world, const render::Moment& m, con
                                                         deck.point({-0.3 * length_m, 0.0}), 3.0, lens)});
     }
     for (const render::TargetPose& target : m.targets) {
-        const core::TargetLayout& layout = world.targets[target.index];
+        const core::TargetLayout& layout = core::targetLayout(world, m.added, target.index);
         const core::NorthEast from =
             target.position + (-1.6 * layout.length_m - 6.0) * core::unitVector(target.heading_rad + 2.5);
         shots.push_back({"target-" + layout.id, render::shoreCamera(from, 0.25 * layout.length_m + 3.0,

@@ -12,6 +12,7 @@ public:
     AnchorPlaceCriterion(Terms terms, NorthEast place, double limit_m)
         : Criterion(std::move(terms)), m_place(place), m_limit_m(limit_m) {}
     Display display() const override { return {"distance of the anchor from the mark", 1.0, "m"}; }
+    std::vector<TaskZone> zones() const override { return {TaskZone::circle(m_place, m_limit_m)}; }
     void happened(const Happening& h, CriterionMemory& memory, std::vector<Deduction>& out) const override {
         const double off_m = distance(h.place, m_place);
         if (h.kind != Happening::Kind::AnchorLetGo || off_m <= m_limit_m) return;

@@ -54,6 +54,8 @@ public:
                std::abs(wrapPi(now.heading_rad - now.windFrom_rad)) <= m_goal.weather_rad;
     }
 
+    std::optional<TaskZone> zone() const override { return TaskZone::circle(m_goal.place, m_goal.within_m); }
+
 private:
     AnchorGoal m_goal;
 };

@@ -6,6 +6,7 @@
 
 #include "core/assess/MissionContext.h"
 #include "core/assess/Observation.h"
+#include "core/assess/TaskZone.h"
 #include "core/base/Config.h"
 
 namespace sagara::core {
@@ -70,6 +71,8 @@ public:
     virtual ~Criterion() = default;
     const Terms& terms() const { return m_terms; }
     virtual Display display() const = 0;
+    /// Where it holds, if not everywhere.
+    virtual std::vector<TaskZone> zones() const { return {}; }
     /// Narrows `limits` to what this criterion allows a ship at this place.
     virtual void narrow(Limits& limits, const Observation& now, const RouteProgress& route) const;
 

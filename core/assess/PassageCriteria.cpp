@@ -50,6 +50,13 @@ public:
     SpeedLimitCriterion(Terms terms, std::vector<SpeedZone> zones)
         : EpisodeCriterion(std::move(terms)), m_zones(std::move(zones)) {}
     Display display() const override { return {"speed over ground", kKnot_mps, "kn"}; }
+    std::vector<TaskZone> zones() const override {
+        std::vector<TaskZone> circles;  // legs are on the chart with the route
+        for (const SpeedZone& zone : m_zones) {
+            if (zone.circle) circles.push_back(TaskZone::circle(zone.centre, zone.radius_m));
+        }
+        return circles;
+    }
     void narrow(Limits& limits, const Observation& now, const RouteProgress& route) const override {
         const double here_mps = lowestSpeed_mps(m_zones, now.position, route.leg, kNone_mps);
         if (here_mps == kNone_mps) return;

@@ -19,6 +19,8 @@ public:
         return crosses(m_gate, last, now.position) && side(last) == m_inside;
     }
 
+    std::optional<TaskZone> zone() const override { return TaskZone::gate(m_gate.a, m_gate.b); }
+
 private:
     /// On the line itself: the same side for `crosses`.
     bool side(NorthEast p) const { return cross(m_gate.b - m_gate.a, p - m_gate.a) >= 0.0; }
@@ -35,6 +37,8 @@ public:
     bool step(const Observation& now, TaskMemory&) const override {
         return distance(now.position, m_to) <= m_within_m;
     }
+
+    std::optional<TaskZone> zone() const override { return TaskZone::circle(m_to, m_within_m); }
 
 private:
     NorthEast m_to;

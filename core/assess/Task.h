@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/assess/MissionContext.h"
 #include "core/assess/Observation.h"
+#include "core/assess/TaskZone.h"
 #include "core/base/Config.h"
 
 namespace sagara::core {
@@ -35,6 +37,8 @@ public:
 
     /// Called for the current task at every observation until it returns true.
     virtual bool step(const Observation& now, TaskMemory& memory) const = 0;
+    /// Where it is to be done, if the task says so.
+    virtual std::optional<TaskZone> zone() const { return std::nullopt; }
 
 private:
     std::string m_id;

@@ -58,6 +58,15 @@ OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, co
       advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),
       turning(turningIndices(vessel, dynamics, advancePerRev_m)) {}
 
+void holdMotions(std::uint8_t free, ShipMotion& v) {
+    if (!isFree(free, FreeMotion::Surge)) v.surge_mps = 0.0;
+    if (!isFree(free, FreeMotion::Sway)) v.sway_mps = 0.0;
+    if (!isFree(free, FreeMotion::Heave)) v.heaveRate_mps = 0.0;
+    if (!isFree(free, FreeMotion::Roll)) v.rollRate_radps = 0.0;
+    if (!isFree(free, FreeMotion::Pitch)) v.pitchRate_radps = 0.0;
+    if (!isFree(free, FreeMotion::Yaw)) v.yawRate_radps = 0.0;
+}
+
 OwnShipState startOf(const OwnShip& ship) {
     OwnShipState s;
     s.motion = ship.start;

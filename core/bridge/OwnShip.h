@@ -68,6 +68,16 @@ struct ContactMemory {
     }
 };
 
+/// Which of her six motions an own ship is free to make, for the classroom: one bit each. The others are
+/// held: no velocity in them through the water, attitude and heave as they were.
+enum class FreeMotion : std::uint8_t { Surge = 1, Sway = 2, Heave = 4, Roll = 8, Pitch = 16, Yaw = 32 };
+inline constexpr std::uint8_t kAllMotions = 63;
+inline bool isFree(std::uint8_t motions, FreeMotion motion) {
+    return (motions & static_cast<std::uint8_t>(motion)) != 0;
+}
+/// Takes what is held out of velocities, or out of their rates: only the six velocities are touched.
+void holdMotions(std::uint8_t free, ShipMotion& velocities);
+
 /// Everything about an own ship that changes. Part of State.
 struct OwnShipState {
     ShipMotion motion;
@@ -82,11 +92,12 @@ struct OwnShipState {
                                     ///< quarter minute
     bool aground = false;
     double underKeel_m = 0.0;
+    std::uint8_t freeMotions = kAllMotions;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
         ar(self.motion, self.steering, self.shafts, self.autopilot, self.pilot, self.lines, self.anchors,
-           self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m);
+           self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m, self.freeMotions);
     }
 };
 

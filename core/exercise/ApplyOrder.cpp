@@ -17,6 +17,13 @@ Event make(const State& state, EventKind kind, std::uint8_t ship, std::size_t in
     return e;
 }
 
+/// At most so many bytes, and no half of a letter of UTF-8 at the end.
+std::string cutText(const std::string& text, std::size_t most_bytes) {
+    std::size_t end = std::min(text.size(), most_bytes);
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return text.substr(0, end);
+}
+
 /// Carries out the orders that are not for one own ship.
 class Instructor {
 public:
@@ -52,8 +59,10 @@ public:
                 ship.shafts[order.number].failed = !order.mended;
                 break;
         }
-        m_events.push_back(make(m_state, order.mended ? EventKind::FaultMended : EventKind::FaultCame, m_ship,
-                                static_cast<std::size_t>(order.fault), ship.motion.position()));
+        Event event = make(m_state, order.mended ? EventKind::FaultMended : EventKind::FaultCame, m_ship,
+                           static_cast<std::size_t>(order.fault), ship.motion.position());
+        event.value = order.number;
+        m_events.push_back(event);
     }
 
     void apply(const TargetOrder& order) {
@@ -62,7 +71,7 @@ public:
         switch (order.action) {
             case TargetAction::Appear:
                 if (target.present) return;
-                target = startOf(m_world.targets[order.target]);
+                target = startOf(targetLayout(m_world, m_state, order.target));
                 target.present = true;
                 m_events.push_back(
                     make(m_state, EventKind::TargetAppeared, 0, order.target, target.position));
@@ -76,13 +85,46 @@ public:
                 target.stopped = true;
                 break;
             case TargetAction::Resume:
-                target.stopped = false;
-                target.orderedSpeed_mps = -1.0;
+                resumeOwn(target);
                 break;
             case TargetAction::SetSpeed:
-                target.orderedSpeed_mps = order.speed_mps;
+                if (order.speed_mps >= 0.0 && order.speed_mps <= kFastestTarget_mps)
+                    target.orderedSpeed_mps = order.speed_mps;
                 break;
         }
+    }
+
+    void apply(const AddTargetOrder& order) {
+        if (!carryOut(m_world, m_state, order)) return;
+        m_events.push_back(make(m_state, EventKind::TargetAppeared, 0, m_state.targets.size() - 1,
+                                m_state.targets.back().position));
+    }
+    void apply(const MoveTargetOrder& order) {
+        if (!carryOut(m_world, m_state, order)) return;
+        m_events.push_back(make(m_state, EventKind::TargetMoved, 0, order.target, order.position));
+    }
+    void apply(const SteerTargetOrder& order) { (void)carryOut(m_world, m_state, order); }
+    void apply(const RouteTargetOrder& order) { (void)carryOut(m_world, m_state, order); }
+
+    void apply(const NoteOrder& order) {
+        Event event = make(m_state, EventKind::NoteMade, m_ship, 0, m_state.ships[m_ship].motion.position());
+        event.value = order.bookmark ? 1.0 : 0.0;
+        event.text = cutText(order.text, kLongestNote_bytes);
+        m_events.push_back(std::move(event));
+    }
+
+    void apply(const ReportOrder& order) {
+        if (order.kind > kLastReportKind) return;
+        m_events.push_back(make(m_state, EventKind::Reported, m_ship, static_cast<std::size_t>(order.kind),
+                                m_state.ships[m_ship].motion.position()));
+    }
+
+    void apply(const FreezeMotionOrder& order) {
+        OwnShipState& ship = m_state.ships[m_ship];
+        ship.freeMotions = order.free & kAllMotions;
+        holdMotions(ship.freeMotions, ship.motion);
+        m_events.push_back(
+            make(m_state, EventKind::MotionsFreed, m_ship, ship.freeMotions, ship.motion.position()));
     }
 
     void apply(const DifficultyOrder& order) {

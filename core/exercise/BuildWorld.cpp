@@ -249,6 +249,7 @@ World::World(Area worldArea, std::uint64_t worldSeed)
 
 OrderNames orderNames(const World& world) {
     OrderNames names;
+    names.frame = world.area.frame;
     for (const auto& ship : world.ships) {
         OrderNames::Ship s{ship->id, ship->lineIds, {}, {}};
         for (const PropulsionUnit& unit : ship->vessel.propulsion.units) s.shafts.push_back(unit.id);

@@ -5,13 +5,15 @@
 
 #include "core/bridge/ShipOrders.h"
 #include "core/exercise/InstructorOrders.h"
+#include "core/exercise/TargetOrders.h"
 
 namespace sagara::core {
 
 /// Every order there is. Recordings hold the index: new kinds go to the end.
-using Order =
-    std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder, AnchorOrder,
-                 WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder, FinishOrder>;
+using Order = std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder,
+                           AnchorOrder, WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder,
+                           FinishOrder, NoteOrder, ReportOrder, AddTargetOrder, MoveTargetOrder,
+                           SteerTargetOrder, RouteTargetOrder, FreezeMotionOrder>;
 
 /// The only way into a running exercise: an order, the own ship it is for (or none) and the tick it is
 /// carried out in.

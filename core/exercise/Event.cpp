@@ -1,5 +1,7 @@
 #include "core/exercise/Event.h"
 
+#include "core/exercise/InstructorOrders.h"
+
 namespace sagara::core {
 
 const char* eventKindName(EventKind kind) {
@@ -48,6 +50,26 @@ const char* eventKindName(EventKind kind) {
             return "levelChanged";
         case EventKind::Stopped:
             return "stopped";
+        case EventKind::NoteMade:
+            return "noteMade";
+        case EventKind::Reported:
+            return "reported";
+        case EventKind::TargetMoved:
+            return "targetMoved";
+        case EventKind::MotionsFreed:
+            return "motionsFreed";
+    }
+    return "";
+}
+
+const char* reportKindName(ReportKind kind) {
+    switch (kind) {
+        case ReportKind::PortControl:
+            return "portControl";
+        case ReportKind::Anchored:
+            return "anchored";
+        case ReportKind::ManOverboard:
+            return "manOverboard";
     }
     return "";
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "core/base/Planar.h"
 #include "core/base/SimTime.h"
@@ -26,16 +27,22 @@ enum class EventKind : std::uint8_t {
     MissionFailed,   ///< index: criterion
     Finished,        ///< the exercise is over
     ScenarioEvent,   ///< index: event of the scenario
-    FaultCame,       ///< index: Fault
-    FaultMended,     ///< index: Fault
+    FaultCame,       ///< index: Fault; value: number of the engine, pumps that fail
+    FaultMended,     ///< index: Fault; value: number of the engine
     TargetAppeared,  ///< index: target
     TargetGone,      ///< index: target
     LevelChanged,    ///< index: level
-    Stopped  ///< a value was not finite: the exercise cannot go on; index: component, see componentName
+    Stopped,      ///< a value was not finite: the exercise cannot go on; index: component, see componentName
+    NoteMade,     ///< by the trainer; text; value: 1 for a bookmark
+    Reported,     ///< by the trainee; index: ReportKind; place: of the own ship
+    TargetMoved,  ///< by the trainer, to another place; index: target
+    MotionsFreed  ///< for the classroom; index: bits of FreeMotion
 };
+inline constexpr EventKind kLastEventKind = EventKind::MotionsFreed;
 const char* eventKindName(EventKind kind);
 
-/// One thing that happened. Flat, so that a list of them is one block; what a kind uses is said above.
+/// One thing that happened. What a kind uses is said above. The archive leaves the text out: recordings keep
+/// it beside, see SecondChunk.
 struct Event {
     std::int64_t tick = 0;
     EventKind kind = EventKind::Finished;
@@ -47,6 +54,7 @@ struct Event {
     double limit = 0.0;
     double points = 0.0;
     double energy_J = 0.0;
+    std::string text;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {

@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
+#include "core/bridge/OwnShip.h"
 #include "core/exercise/Weather.h"
 
 /// Orders of the trainer, and of the events a scenario carries. Values only; see ApplyOrder.h.
@@ -67,6 +69,38 @@ struct TriggerOrder {
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
         ar(self.event);
+    }
+};
+
+/// A note of the trainer, or only a bookmark: an event that the recording keeps; nothing else changes.
+struct NoteOrder {
+    std::string text;  ///< UTF-8, at most kLongestNote_bytes; may be empty with a bookmark
+    bool bookmark = false;
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.text, self.bookmark);
+    }
+};
+inline constexpr std::size_t kLongestNote_bytes = 500;
+
+/// What the trainee reports from the bridge: an event; nothing else changes.
+enum class ReportKind : std::uint8_t { PortControl, Anchored, ManOverboard };
+inline constexpr ReportKind kLastReportKind = ReportKind::ManOverboard;
+const char* reportKindName(ReportKind kind);  ///< as documents say it
+struct ReportOrder {
+    ReportKind kind = ReportKind::PortControl;
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.kind);
+    }
+};
+
+/// For the classroom: only these motions of the own ship are free, the others are held.
+struct FreezeMotionOrder {
+    std::uint8_t free = kAllMotions;  ///< bits of FreeMotion
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.free);
     }
 };
 

@@ -5,42 +5,14 @@
 
 #include "core/bridge/Pilot.h"
 #include "core/exercise/Observe.h"
+#include "core/exercise/TickLoads.h"
 #include "core/motion/RungeKutta.h"
-#include "core/motion/WindLoad.h"
 
 namespace sagara::core {
 namespace {
 
-constexpr double kGroundNear_m = 1.5;       // with less water the ground is felt for in every stage
-constexpr double kContactNoise_mps = 0.03;  // softer touches are not reported
+constexpr double kContactNoise_mps = 0.03;                   // softer touches are not reported
 constexpr std::int64_t kNewContact_ticks = kTicksPerSecond;  // apart this long, a touch is a new one
-
-/// The ships that can be touched, as they are at the begin of the tick.
-void addShips(const World& world, const State& state, std::size_t index, Obstacles& obstacles) {
-    const OwnShip& own = *world.ships[index];
-    const NorthEast here = state.ships[index].motion.position();
-    for (std::size_t i = 0; i < state.targets.size(); ++i) {
-        const TargetState& t = state.targets[i];
-        const TargetLayout& layout = world.targets[i];
-        if (!t.present || distance(t.position, here) > own.hull.radius_m + layout.length_m) continue;
-        obstacles.ships.add({layout.outline,
-                             {0.5 * layout.length_m, 0.5 * layout.beam_m},
-                             t.position,
-                             t.heading_rad,
-                             t.velocity(),
-                             layout.mass_kg(),
-                             static_cast<std::int32_t>(i)});
-    }
-    for (std::size_t i = 0; i < state.ships.size(); ++i) {
-        if (i == index) continue;
-        const OwnShip& other = *world.ships[i];
-        const OwnShipState& s = state.ships[i];
-        if (distance(s.motion.position(), here) > own.hull.radius_m + other.hull.radius_m) continue;
-        obstacles.ships.add({other.hull.outline, other.hull.halfSize, s.motion.position(),
-                             s.motion.heading_rad, overGround_mps(s, state.weather.now.current),
-                             other.hull.lateralMass_kg, -1 - static_cast<std::int32_t>(i)});
-    }
-}
 
 Actuators runMachinery(const World& world, const OwnShip& ship, OwnShipState& s) {
     runPilot(world.pilot, world.path, ship, s, kTick_s);
@@ -110,45 +82,14 @@ std::int32_t notFinite(const ShipMotion& m) {
 
 }  // namespace
 
-TickEnvironment::TickEnvironment(const World& world, const State& state) {
-    const SimTime middle{state.time().us + kTick_us / 2};
-    activeWaves(world.waves, state.weather.sea, middle, waves);
-    wind = world.gusts.at(state.weather.now.wind, middle);
-    tide_m = world.tide.height_m(middle);
-}
-
 void moveShip(const World& world, State& state, std::size_t index, const TickEnvironment& environment,
               std::vector<Event>& events) {
     const OwnShip& ship = *world.ships[index];
     OwnShipState& s = state.ships[index];
-    const NorthEast current = state.weather.now.current, ground = overGround_mps(s, current);
+    const NorthEast current = state.weather.now.current;
     const Actuators actuators = runMachinery(world, ship, s);
-
-    // Waves and wind act for the whole tick as they are in its middle; what is stiff is worked out in every
-    // stage.
-    const HeadingFrame frame({}, s.motion.heading_rad);
-    const NorthEast middle = s.motion.position() + 0.5 * kTick_s * ground;
-    const double middleHeading_rad = s.motion.heading_rad + 0.5 * kTick_s * s.motion.yawRate_radps;
-    const WaveEffect waves = ship.dynamics.waveLoad().at(state.weather.sea, environment.waves, middle,
-                                                         middleHeading_rad, world.area.shelterFactor(middle));
-    Load slow = windLoad(ship.vessel.windage, ship.vessel.hull.lengthOverall_m, environment.wind,
-                         s.motion.heading_rad, frame.vectorInBody(ground));
-    for (std::size_t k = 0; k < ship.anchorCount(); ++k) {
-        slow = slow + anchorLoad(ship.vessel.groundTackle.anchors[k], s.anchors[k], s.motion);
-    }
-    Obstacles obstacles;
-    findObstacles(world.area, ship.hull, s.motion, obstacles);
-    addShips(world, state, index, obstacles);
-    const bool nearGround = s.underKeel_m < kGroundNear_m;
-    s.motion = rk4Step(s.motion, kTick_s, [&](const ShipMotion& m) {
-        Load load = slow;
-        for (std::size_t k = 0; k < ship.lines.size(); ++k) {
-            load = load + lineLoad(ship.vessel.mooring, ship.lines[k], s.lines[k], m, current);
-        }
-        if (!obstacles.empty()) load = load + contactLoad(obstacles, ship.hull, m, current);
-        if (nearGround) load = load + groundLoad(world.area, ship.keel, m, environment.tide_m, current);
-        return ship.dynamics.derivative(m, actuators, load, waves, current);
-    });
+    const TickLoads loads(world, state, index, environment);
+    s.motion = rk4Step(s.motion, kTick_s, [&](const ShipMotion& m) { return loads.rate(m, actuators); });
     if (const std::int32_t component = notFinite(s.motion); component >= 0) {
         state.stopped = true;
         Event e;
@@ -171,8 +112,8 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
                                  world.area.holdingRatio};
         workAnchor(ship.vessel.groundTackle.anchors[k], s.anchors[k], under, s.motion, kTick_s);
     }
-    if (!obstacles.empty()) {
-        reportContacts(findTouches(obstacles, ship.hull, s.motion, current), state, index, events);
+    if (!loads.obstacles().empty()) {
+        reportContacts(findTouches(loads.obstacles(), ship.hull, s.motion, current), state, index, events);
     }
     reportGround(state, index, underKeel(world.area, ship.keel, s.motion, environment.tide_m).clearance_m,
                  events);

@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "core/exercise/Event.h"
-#include "core/exercise/State.h"
+#include "core/exercise/TickLoads.h"
 
 namespace sagara::core {
-
-/// What is the same for every ship in one tick, taken at its middle.
-struct TickEnvironment {
-    TickEnvironment(const World& world, const State& state);
-    ActiveWaves waves;
-    WindVelocity wind;
-    double tide_m;
-};
 
 /// One own ship for one tick: pilot, machinery, loads, motion, lines, anchors, contact, ground.
 void moveShip(const World& world, State& state, std::size_t index, const TickEnvironment& environment,

@@ -21,9 +21,13 @@ void moveTargets(const World& world, State& state, double dt_s) {
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         TargetState& target = state.targets[i];
         if (!target.present) continue;
-        const TargetLayout& layout = world.targets[i];
+        const TargetLayout& layout = targetLayout(world, state, i);
         TargetIntent intent{target.heading_rad, 0.0};
         NorthEast drift = state.weather.now.current;
+        if (target.underOrders()) {
+            moveTarget(layout, target, followOrders(layout, target), drift, dt_s);
+            continue;
+        }
         switch (layout.behaviour) {
             case TargetBehaviour::Route:
             case TargetBehaviour::Circuit:
@@ -37,6 +41,9 @@ void moveTargets(const World& world, State& state, double dt_s) {
             case TargetBehaviour::Lying:
                 drift = {};
                 break;  // at anchor
+            case TargetBehaviour::Course:
+                intent = {layout.heading_rad, layout.route.front().speed_mps};
+                break;
         }
         moveTarget(layout, target, intent, drift, dt_s);
     }

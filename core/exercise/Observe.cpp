@@ -57,8 +57,9 @@ Observation observe(const World& world, const State& state, std::size_t index) {
     const HeadingFrame frame(m.position(), m.heading_rad);
     o.clearOfShips_m = kShipsLimit_m;
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
-        if (!state.targets[i].present || world.targets[i].behaviour == TargetBehaviour::Hostile) continue;
-        const double clear_m = clearance_m(ship, frame, m.position(), world.targets[i], state.targets[i]);
+        const TargetLayout& layout = targetLayout(world, state, i);
+        if (!state.targets[i].present || layout.behaviour == TargetBehaviour::Hostile) continue;
+        const double clear_m = clearance_m(ship, frame, m.position(), layout, state.targets[i]);
         o.clearOfShips_m = std::min(o.clearOfShips_m, clear_m);
     }
     for (std::size_t i = 0; i < kMostLines; ++i) {

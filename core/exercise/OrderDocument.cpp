@@ -1,19 +1,22 @@
 #include "core/exercise/OrderDocument.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "core/base/Angle.h"
+#include "core/exercise/State.h"
+#include "core/exercise/TrafficDocument.h"
 
 namespace sagara::core {
 namespace {
 
 /// Index of a name, or nothing and a problem.
-std::optional<std::uint8_t> indexOf(config::Reader& in, const char* key,
-                                    const std::vector<std::string>& names) {
+template <typename Index = std::uint8_t>
+std::optional<Index> indexOf(config::Reader& in, const char* key, const std::vector<std::string>& names) {
     const std::string name = in.text(key);
     const auto it = std::find(names.begin(), names.end(), name);
-    if (it != names.end()) return static_cast<std::uint8_t>(it - names.begin());
+    if (it != names.end()) return static_cast<Index>(it - names.begin());
     std::string known;
     for (const std::string& n : names) known += (known.empty() ? "" : ", ") + n;
     if (!name.empty())
@@ -128,9 +131,123 @@ Order readFault(config::Reader& in, const OrderNames::Ship& ship) {
     return order;
 }
 
+/// A target of the scenario by its id, or "added-N": the Nth that is added in the run.
+std::uint32_t readTargetIndex(config::Reader& in, const OrderNames& names) {
+    constexpr std::string_view kAdded = "added-";
+    const std::string id = in.textOr("target", "");
+    const auto known = static_cast<std::uint32_t>(names.targets.size());
+    const bool isKnown = std::find(names.targets.begin(), names.targets.end(), id) != names.targets.end();
+    std::uint32_t number = 0;
+    if (!isKnown && id.starts_with(kAdded)) {
+        const auto read = std::from_chars(id.data() + kAdded.size(), id.data() + id.size(), number);
+        const bool whole = read.ec == std::errc() && read.ptr == id.data() + id.size();
+        if (whole && number >= 1 && number <= kMostAddedTargets) return known + number - 1;
+    }
+    return indexOf<std::uint32_t>(in, "target", names.targets).value_or(0);
+}
+
+NorthEast readPlace(config::Reader& in, const char* key, const OrderNames& names) {
+    const GeoPoint at = in.geoPoint(key);
+    return names.frame ? names.frame->toLocal(at) : NorthEast{};
+}
+
+const config::Range kTargetSpeed{0.0, kFastestTarget_mps / kKnot_mps, "kn"};
+
+std::vector<TargetLayout::Waypoint> readPoints(config::Reader& in, const char* key,
+                                               const std::vector<config::Node>& nodes,
+                                               const OrderNames& names) {
+    std::vector<TargetLayout::Waypoint> points;
+    if (nodes.size() > kLongestTargetRoute)
+        in.problem(key, "has " + std::to_string(nodes.size()) + " points",
+                   "at most " + std::to_string(kLongestTargetRoute));
+    for (const config::Node& node : nodes) {
+        config::Reader item(node);
+        const NorthEast at = readPlace(item, "at", names);
+        points.push_back({at, kKnot_mps * item.number("speed_kn", kTargetSpeed)});
+        item.rejectUnknownKeys();
+    }
+    return points;
+}
+
+Order readAddTarget(config::Reader& in, const OrderNames& names) {
+    AddTargetOrder order;
+    order.name = in.text("name");
+    if (order.name.size() > 60)
+        in.problem("name", "has " + std::to_string(order.name.size()) + " bytes", "at most 60");
+    order.type = readTargetType(in);
+    const auto named = [](Activity a) { return config::Reader::Choice<Activity>{activityName(a), a}; };
+    using enum Activity;
+    if (in.has("activity"))
+        order.activity = in.choice<Activity>(
+            "activity", {named(UnderWay), named(Anchored), named(Fishing), named(Trawling), named(Towing),
+                         named(NotUnderCommand), named(Restricted), named(Moored), named(Sailing)});
+    order.hostile = in.flagOr("hostile", false);
+    order.position = readPlace(in, "at", names);
+    order.heading_rad = kDegree_rad * in.number("heading_deg", kDegrees);
+    order.speed_mps = kKnot_mps * in.number("speed_kn", kTargetSpeed);
+    order.length_m = in.number("length_m", {3.0, 400.0, "m"});
+    order.beam_m = in.number("beam_m", {1.0, 70.0, "m"});
+    order.draught_m = in.number("draught_m", {0.2, 25.0, "m"});
+    order.route = readPoints(in, "route", in.listOr("route"), names);
+    return order;
+}
+
+Order readMoveTarget(config::Reader& in, const OrderNames& names) {
+    MoveTargetOrder order;
+    order.target = readTargetIndex(in, names);
+    order.position = readPlace(in, "at", names);
+    order.heading_rad = kDegree_rad * in.number("heading_deg", kDegrees);
+    return order;
+}
+
+Order readSteerTarget(config::Reader& in, const OrderNames& names) {
+    SteerTargetOrder order;
+    order.target = readTargetIndex(in, names);
+    order.heading_rad = kDegree_rad * in.number("heading_deg", kDegrees);
+    order.speed_mps = kKnot_mps * in.number("speed_kn", kTargetSpeed);
+    return order;
+}
+
+Order readRouteTarget(config::Reader& in, const OrderNames& names) {
+    RouteTargetOrder order;
+    order.target = readTargetIndex(in, names);
+    order.points = readPoints(in, "route", in.list("route"), names);
+    return order;
+}
+
+Order readNote(config::Reader& in) {
+    NoteOrder order;
+    order.bookmark = in.flagOr("bookmark", false);
+    order.text = order.bookmark ? in.textOr("text", "") : in.text("text");
+    if (order.text.size() > kLongestNote_bytes)
+        in.problem("text", "has " + std::to_string(order.text.size()) + " bytes",
+                   "at most " + std::to_string(kLongestNote_bytes));
+    return order;
+}
+
+Order readReport(config::Reader& in) {
+    const auto named = [](ReportKind k) { return config::Reader::Choice<ReportKind>{reportKindName(k), k}; };
+    return ReportOrder{in.choice<ReportKind>(
+        "report",
+        {named(ReportKind::PortControl), named(ReportKind::Anchored), named(ReportKind::ManOverboard)})};
+}
+
+Order readFreeMotions(config::Reader& in) {
+    const std::vector<std::string> known{"surge", "sway", "heave", "roll", "pitch", "yaw"};
+    FreezeMotionOrder order{0};
+    for (const std::string& name : in.texts("free")) {
+        const auto it = std::find(known.begin(), known.end(), name);
+        if (it == known.end())
+            in.problem("free", "names \"" + name + "\"", "surge, sway, heave, roll, pitch, yaw");
+        else
+            order.free |= static_cast<std::uint8_t>(1U << (it - known.begin()));
+    }
+    return order;
+}
+
 Order readTarget(config::Reader& in, const OrderNames& names) {
     TargetOrder order;
-    order.target = indexOf(in, "target", names.targets).value_or(std::uint8_t{0});
+    order.target = readTargetIndex(in, names);
     order.action = in.choice<TargetAction>("action", {{"appear", TargetAction::Appear},
                                                       {"remove", TargetAction::Remove},
                                                       {"stop", TargetAction::Stop},
@@ -159,7 +276,14 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
         Target,
         Difficulty,
         Event,
-        Finish
+        Finish,
+        Note,
+        Report,
+        AddTarget,
+        MoveTarget,
+        SteerTarget,
+        RouteTarget,
+        FreeMotions
     };
     // A new kind of order: its value in Command.h, its reader above and one line here and below.
     const auto kind = in.choiceIfKnown<Kind>("order", {{"helm", Kind::Helm},
@@ -174,7 +298,14 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
                                                        {"target", Kind::Target},
                                                        {"difficulty", Kind::Difficulty},
                                                        {"event", Kind::Event},
-                                                       {"finish", Kind::Finish}});
+                                                       {"finish", Kind::Finish},
+                                                       {"note", Kind::Note},
+                                                       {"report", Kind::Report},
+                                                       {"addTarget", Kind::AddTarget},
+                                                       {"moveTarget", Kind::MoveTarget},
+                                                       {"steerTarget", Kind::SteerTarget},
+                                                       {"routeTarget", Kind::RouteTarget},
+                                                       {"freeMotions", Kind::FreeMotions}});
     std::vector<std::string> shipIds;
     for (const auto& ship : names.ships) shipIds.push_back(ship.id);
     NamedOrder named;
@@ -220,6 +351,27 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
             break;
         case Kind::Finish:
             named.order = FinishOrder{};
+            break;
+        case Kind::Note:
+            named.order = readNote(in);
+            break;
+        case Kind::Report:
+            named.order = readReport(in);
+            break;
+        case Kind::AddTarget:
+            named.order = readAddTarget(in, names);
+            break;
+        case Kind::MoveTarget:
+            named.order = readMoveTarget(in, names);
+            break;
+        case Kind::SteerTarget:
+            named.order = readSteerTarget(in, names);
+            break;
+        case Kind::RouteTarget:
+            named.order = readRouteTarget(in, names);
+            break;
+        case Kind::FreeMotions:
+            named.order = readFreeMotions(in);
             break;
     }
     return named;

@@ -18,8 +18,9 @@ struct OrderNames {
         std::vector<std::string> anchors;
     };
     std::vector<Ship> ships;
-    std::vector<std::string> targets;
+    std::vector<std::string> targets;  ///< of the scenario; those added later are "added-1" and so on
     std::vector<std::string> events;
+    std::optional<LocalFrame> frame;  ///< of the area; without it no order may name a place
 };
 
 struct World;

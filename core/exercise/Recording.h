@@ -8,6 +8,7 @@
 
 #include "core/exercise/Documents.h"
 #include "core/exercise/Event.h"
+#include "core/exercise/SecondExtras.h"
 #include "core/exercise/State.h"
 #include "core/exercise/Track.h"
 
@@ -78,6 +79,7 @@ private:
     void put(char kind, const Bytes& payload);
     void putState(const State& state);
     void putSecond(std::int64_t tick);
+    void takeSample(const World& world, const State& state);
 
     Sink m_sink;
     TrackCodec m_codec;
@@ -85,6 +87,8 @@ private:
     std::vector<Event> m_events;
     Bytes m_samples;
     std::uint32_t m_sampleCount = 0;
+    SecondExtras m_extras;
+    std::size_t m_addedWritten = 0;
     std::int64_t m_writtenTo_tick = 0;
 };
 
@@ -109,10 +113,13 @@ struct Recording {
         bool restart = false;  ///< the codec begins afresh
         std::uint32_t count = 0;
         Bytes bytes;
+        std::vector<SecondExtras::Sample> added;
     };
     std::vector<SamplePart> samples;
+    std::vector<TargetLayout> added;  ///< by the trainer, in the course of the run
 
-    /// The whole kinematic track. Stops where samples are damaged.
+    /// The whole kinematic track. Stops where samples are damaged. The targets of a sample are those of the
+    /// world and, after them, those that were added in the run: all of them, present or not.
     std::vector<TrackSample> track(std::size_t ships, std::size_t targets) const;
     /// Whether this build can run it again to the bit.
     bool sameBuild() const;

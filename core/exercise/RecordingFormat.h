@@ -5,6 +5,7 @@
 #include "core/base/Archive.h"
 #include "core/exercise/Command.h"
 #include "core/exercise/Event.h"
+#include "core/exercise/SecondExtras.h"
 
 /// The chunks of a recording as bytes: shared by writer and reader only. See Recording.h for the format.
 namespace sagara::core {
@@ -48,10 +49,16 @@ struct SecondChunk {
     std::vector<Event> events;
     std::uint32_t sampleCount = 0;
     Bytes samples;
+    SecondExtras extras;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
         ar(self.toTick, self.commands, self.events, self.sampleCount, self.samples);
+        if constexpr (requires { ar.atEnd(); }) {
+            if (!ar.atEnd()) ar(self.extras);
+        } else {
+            if (!self.extras.empty()) ar(self.extras);
+        }
     }
 };
 

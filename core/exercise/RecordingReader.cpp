@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 
 #include "core/exercise/BuildId.h"
@@ -76,12 +77,27 @@ private:
     bool takeSecond(std::span<const std::byte> payload) {
         auto chunk = fromBytes<SecondChunk>(payload);
         if (!chunk || chunk->toTick < m_recording.endTick) return false;
+        if (!takeExtras(*chunk)) return false;
         append(m_recording.commands, chunk->commands);
         append(m_recording.events, chunk->events);
-        m_recording.samples.push_back({m_restart, chunk->sampleCount, std::move(chunk->samples)});
+        m_recording.samples.push_back(
+            {m_restart, chunk->sampleCount, std::move(chunk->samples), std::move(chunk->extras.samples)});
         m_recording.endTick = chunk->toTick;
         m_restart = false;
         return true;
+    }
+
+    bool takeExtras(SecondChunk& chunk) {
+        for (SecondExtras::Text& text : chunk.extras.texts) {
+            if (text.event >= chunk.events.size()) return false;
+            chunk.events[text.event].text = std::move(text.text);
+        }
+        append(m_recording.added, chunk.extras.added);
+        const auto known = m_recording.added.size();
+        return known <= kMostAddedTargets &&
+               std::all_of(m_recording.added.begin(), m_recording.added.end(), isSound) &&
+               std::all_of(chunk.extras.samples.begin(), chunk.extras.samples.end(),
+                           [&](const auto& s) { return s.target < known && s.sample < chunk.sampleCount; });
     }
 
     bool takeEnd(std::span<const std::byte> payload) {
@@ -120,7 +136,13 @@ std::vector<TrackSample> Recording::track(std::size_t ships, std::size_t targets
         for (std::uint32_t i = 0; i < part.count; ++i) {
             TrackSample sample;
             if (!codec.decode(bytes, ships, targets, sample)) return track;
+            sample.targets.resize(targets + added.size());
             track.push_back(std::move(sample));
+        }
+        for (const SecondExtras::Sample& s : part.added) {
+            if (s.sample >= part.count) continue;
+            TargetSample& target = track[track.size() - part.count + s.sample].targets[targets + s.target];
+            target = {true, {0.1 * s.north_dm, 0.1 * s.east_dm}, 0.001 * s.heading_mrad, 0.01 * s.speed_cmps};
         }
     }
     return track;

@@ -16,13 +16,20 @@ void RecordingWriter::begin(const RecordingHeader& header, const World& world, c
     put(kHeaderChunk, toBytes(header));
     m_writtenTo_tick = state.tick;
     putState(state);
-    m_codec.encode(sampleOf(world, state), m_samples);
-    m_sampleCount = 1;
+    takeSample(world, state);
 }
 
 void RecordingWriter::goOn(const State& state) {
     m_writtenTo_tick = state.tick;
+    m_addedWritten = state.added.size();
     putState(state);
+}
+
+void RecordingWriter::takeSample(const World& world, const State& state) {
+    TrackSample sample = sampleOf(world, state);
+    sample.targets.resize(world.targets.size());
+    m_codec.encode(sample, m_samples);
+    sampleAdded(world, state, m_sampleCount++, m_extras.samples);
 }
 
 void RecordingWriter::putState(const State& state) {
@@ -32,7 +39,8 @@ void RecordingWriter::putState(const State& state) {
 }
 
 void RecordingWriter::putSecond(std::int64_t tick) {
-    put(kSecondChunk, toBytes(SecondChunk{tick, m_commands, m_events, m_sampleCount, m_samples}));
+    put(kSecondChunk, toBytes(SecondChunk{tick, m_commands, m_events, m_sampleCount, m_samples, m_extras}));
+    m_extras = {};
     m_commands.clear();
     m_events.clear();
     m_samples.clear();
@@ -43,11 +51,14 @@ void RecordingWriter::putSecond(std::int64_t tick) {
 void RecordingWriter::tick(const World& world, const State& state, std::span<const Command> commands,
                            std::span<const Event> events) {
     m_commands.insert(m_commands.end(), commands.begin(), commands.end());
-    m_events.insert(m_events.end(), events.begin(), events.end());
-    if (state.tick % kTrackEvery_ticks == 0) {
-        m_codec.encode(sampleOf(world, state), m_samples);
-        ++m_sampleCount;
+    for (const Event& event : events) {
+        if (!event.text.empty())
+            m_extras.texts.push_back({static_cast<std::uint32_t>(m_events.size()), event.text});
+        m_events.push_back(event);
     }
+    for (; m_addedWritten < state.added.size(); ++m_addedWritten)
+        m_extras.added.push_back(state.added[m_addedWritten]);
+    if (state.tick % kTrackEvery_ticks == 0) takeSample(world, state);
     if (state.tick % kTicksPerSecond == 0) putSecond(state.tick);
     if (state.tick % kStateEvery_ticks == 0) putState(state);
 }

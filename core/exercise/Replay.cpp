@@ -31,7 +31,9 @@ private:
 bool fits(const World& world, const State& state) {
     const bool sea = std::all_of(state.weather.sea.active.begin(), state.weather.sea.active.end(),
                                  [&](std::uint16_t i) { return i < world.waves.components().size(); });
-    return state.ships.size() == world.ships.size() && state.targets.size() == world.targets.size() &&
+    return state.ships.size() == world.ships.size() && state.added.size() <= kMostAddedTargets &&
+           std::all_of(state.added.begin(), state.added.end(), isSound) &&
+           state.targets.size() == world.targets.size() + state.added.size() &&
            state.fired.size() == world.events.size() &&
            state.assessment.tasks.size() == world.mission.tasks.size() &&
            state.assessment.criteria.size() == world.mission.criteria.size() && state.level >= 1 &&

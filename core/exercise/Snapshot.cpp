@@ -35,6 +35,10 @@ OwnShipView viewShip(const OwnShip& ship, const OwnShipState& s, NorthEast curre
     v.underKeel_m = s.underKeel_m;
     v.aground = s.aground;
     v.notUnderCommand = unableToManoeuvre(ship, s);
+    v.pumpsFailed = s.steering.pumpsFailed;
+    v.rudderJammed = s.steering.jammed;
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i) v.enginesFailed.push_back(s.shafts[i].failed);
+    v.freeMotions = s.freeMotions;
     return v;
 }
 
@@ -89,10 +93,11 @@ Snapshot view(const World& world, const State& state) {
                      t.heading_rad,
                      t.speed_mps,
                      t.yawRate_radps,
-                     activityNow(world.targets[i], t)};
-        ride(v, world.targets[i].length_m, waves, world.area.shelterFactor(t.position));
+                     activityNow(targetLayout(world, state, i), t)};
+        ride(v, targetLayout(world, state, i).length_m, waves, world.area.shelterFactor(t.position));
         snapshot.targets.push_back(v);
     }
+    snapshot.added = state.added;
     for (const TaskMemory& task : state.assessment.tasks) snapshot.tasks.push_back({task.done, task.doneAt});
     snapshot.score = scoreOf(state.assessment);
     snapshot.failed = state.assessment.failed;

@@ -22,13 +22,17 @@ struct OwnShipView {
     double underKeel_m = 0.0;
     bool aground = false;
     bool notUnderCommand = false;  ///< by a fault: no rudder that answers, or no engine
+    std::uint8_t pumpsFailed = 0;  ///< of the two of the steering gear
+    bool rudderJammed = false;
+    std::vector<bool> enginesFailed;         ///< as shafts_rps
+    std::uint8_t freeMotions = kAllMotions;  ///< others are held, see FreezeMotionOrder
 };
 /// What she is doing as others see it. Not under command is who is neither at anchor nor alongside.
 Activity activityOf(const OwnShipView& ship);
 
 /// One traffic ship that is there. She rides the long waves like a cork of her length.
 struct TargetView {
-    std::size_t index = 0;  ///< in World::targets
+    std::size_t index = 0;  ///< in State::targets: see targetLayout
     NorthEast position;
     double down_m = 0.0;
     double roll_rad = 0.0;
@@ -50,6 +54,7 @@ struct Snapshot {
     int level = 1;
     std::vector<OwnShipView> ships;
     std::vector<TargetView> targets;
+    std::vector<TargetLayout> added;  ///< as State::added, also those that are not there
     Weather weather;
     WindVelocity wind;    ///< with its gusts, at this moment
     SeaState sea;         ///< with World::waves all there is to draw
@@ -61,6 +66,11 @@ struct Snapshot {
 
     SimTime time() const { return timeOfTick(tick); }
 };
+
+/// What is known of a target that is seen: index as in TargetView.
+inline const TargetLayout& targetLayout(const World& world, const Snapshot& snapshot, std::size_t index) {
+    return targetLayout(world, snapshot.added, index);
+}
 
 Snapshot view(const World& world, const State& state);
 

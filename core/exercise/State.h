@@ -13,7 +13,7 @@ namespace sagara::core {
 
 /// Layout of the archived State. Grows with every change of its fields: an older recording is then replayed
 /// from its kinematic track.
-inline constexpr std::uint32_t kStateVersion = 1;
+inline constexpr std::uint32_t kStateVersion = 2;
 
 /// Everything about an exercise that changes. A value: copy it to look ahead, to go back, to try something
 /// else.
@@ -22,10 +22,11 @@ struct State {
     int level = 1;
     WeatherState weather;
     std::vector<OwnShipState> ships;
-    std::vector<TargetState> targets;
-    std::vector<std::uint8_t> fired;  ///< events of the scenario that have happened
-    Assessment assessment;            ///< of the first own ship
-    std::int64_t failedTick = -1;     ///< when the mission failed
+    std::vector<TargetState> targets;  ///< those of the World, then the added ones
+    std::vector<TargetLayout> added;   ///< by the trainer, at most kMostAddedTargets; none ever goes
+    std::vector<std::uint8_t> fired;   ///< events of the scenario that have happened
+    Assessment assessment;             ///< of the first own ship
+    std::int64_t failedTick = -1;      ///< when the mission failed
     bool finished = false;
     bool stopped = false;  ///< a value was not finite
 
@@ -33,10 +34,20 @@ struct State {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.tick, self.level, self.weather, self.ships, self.targets, self.fired, self.assessment,
-           self.failedTick, self.finished, self.stopped);
+        ar(self.tick, self.level, self.weather, self.ships, self.targets, self.added, self.fired,
+           self.assessment, self.failedTick, self.finished, self.stopped);
     }
 };
+
+inline constexpr std::size_t kMostAddedTargets = 32;
+/// What is known of a target: index as in State::targets.
+inline const TargetLayout& targetLayout(const World& world, const std::vector<TargetLayout>& added,
+                                        std::size_t index) {
+    return index < world.targets.size() ? world.targets[index] : added[index - world.targets.size()];
+}
+inline const TargetLayout& targetLayout(const World& world, const State& state, std::size_t index) {
+    return targetLayout(world, state.added, index);
+}
 
 /// The exercise at its first moment. Level 1 to 5.
 State startState(const World& world, int level);

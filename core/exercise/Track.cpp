@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/Angle.h"
 #include "core/exercise/Observe.h"
+#include "core/exercise/SecondExtras.h"
 
 namespace sagara::core {
 namespace {
@@ -115,6 +117,22 @@ TrackSample sampleOf(const World& world, const State& state) {
     for (const TargetState& t : state.targets)
         sample.targets.push_back({t.present, t.position, t.heading_rad, t.speed_mps});
     return sample;
+}
+
+void sampleAdded(const World& world, const State& state, std::uint32_t sample,
+                 std::vector<SecondExtras::Sample>& out) {
+    const auto rounded = [](double value, double step, double most) {
+        return std::clamp(std::round(value / step), -most, most);
+    };
+    for (std::size_t i = world.targets.size(); i < state.targets.size(); ++i) {
+        const TargetState& t = state.targets[i];
+        if (!t.present) continue;
+        out.push_back({sample, static_cast<std::uint8_t>(i - world.targets.size()),
+                       static_cast<std::int32_t>(rounded(t.position.north_m, 0.1, 2e9)),
+                       static_cast<std::int32_t>(rounded(t.position.east_m, 0.1, 2e9)),
+                       static_cast<std::int16_t>(rounded(wrapPi(t.heading_rad), 0.001, 32767.0)),
+                       static_cast<std::uint16_t>(std::max(0.0, rounded(t.speed_mps, 0.01, 65535.0)))});
+    }
 }
 
 void TrackCodec::encode(const TrackSample& sample, Bytes& out) {

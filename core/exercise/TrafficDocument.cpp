@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/assess/MissionContext.h"
+#include "core/base/Angle.h"
 #include "core/base/Units.h"
 #include "core/vessel/Hull.h"
 
@@ -28,24 +29,20 @@ TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
     TargetLayout t;
     t.id = in.id("id");
     t.name = in.text("name");
-    t.type = in.choice<TargetType>("type", {{"fishing", TargetType::Fishing},
-                                            {"coaster", TargetType::Coaster},
-                                            {"tanker", TargetType::Tanker},
-                                            {"container", TargetType::Container},
-                                            {"ferry", TargetType::Ferry},
-                                            {"yacht", TargetType::Yacht},
-                                            {"tug", TargetType::Tug},
-                                            {"fastCraft", TargetType::FastCraft}});
+    t.type = readTargetType(in);
     t.behaviour = in.choice<TargetBehaviour>("behaviour", {{"route", TargetBehaviour::Route},
                                                            {"circuit", TargetBehaviour::Circuit},
                                                            {"lying", TargetBehaviour::Lying},
-                                                           {"hostile", TargetBehaviour::Hostile}});
+                                                           {"hostile", TargetBehaviour::Hostile},
+                                                           {"course", TargetBehaviour::Course}});
     t.activity = readActivity(in, t);
     t.length_m = in.number("length_m", {3.0, 400.0, "m"});
     t.beam_m = in.number("beam_m", {1.0, 70.0, "m"});
     t.draught_m = in.number("draught_m", {0.2, 25.0, "m"});
     t.fromLevel = in.integerOr("fromLevel", 1, 1, kLevels);
     t.onEvent = in.flagOr("onEvent", false);
+    if (in.has("heading_deg") || t.behaviour == TargetBehaviour::Course)
+        t.heading_rad = kDegree_rad * in.number("heading_deg", {0.0, 360.0, "deg"});
     if (in.has("picture")) t.picture = in.id("picture");
     for (const config::Node& item : in.list("route")) {
         config::Reader waypoint(item);
@@ -64,6 +61,17 @@ TargetLayout readTarget(const config::Node& node, const LocalFrame& frame) {
 }
 
 }  // namespace
+
+TargetType readTargetType(config::Reader& in) {
+    return in.choice<TargetType>("type", {{"fishing", TargetType::Fishing},
+                                          {"coaster", TargetType::Coaster},
+                                          {"tanker", TargetType::Tanker},
+                                          {"container", TargetType::Container},
+                                          {"ferry", TargetType::Ferry},
+                                          {"yacht", TargetType::Yacht},
+                                          {"tug", TargetType::Tug},
+                                          {"fastCraft", TargetType::FastCraft}});
+}
 
 std::vector<TargetLayout> readTraffic(config::Reader& scenario, const LocalFrame& frame) {
     std::vector<TargetLayout> targets;

@@ -8,6 +8,9 @@
 
 namespace sagara::core {
 
+/// "type" of a traffic ship.
+TargetType readTargetType(config::Reader& in);
+
 /// "traffic" of a scenario.
 std::vector<TargetLayout> readTraffic(config::Reader& scenario, const LocalFrame& frame);
 

@@ -15,6 +15,13 @@ struct Load {
     double yaw_Nm = 0.0;
 };
 
+/// Who pushes, of the parts that belong to the ship.
+struct HullForces {
+    Load hull;
+    Load rudder;
+    Load propeller;
+};
+
 inline Load operator+(const Load& a, const Load& b) {
     return {a.surge_N + b.surge_N, a.sway_N + b.sway_N,     a.heave_N + b.heave_N,
             a.roll_Nm + b.roll_Nm, a.pitch_Nm + b.pitch_Nm, a.yaw_Nm + b.yaw_Nm};

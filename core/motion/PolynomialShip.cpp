@@ -118,6 +118,19 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
             .yaw_Nm = m_model.rudderYawLever_m * force_N};
 }
 
+Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
+    const PolynomialModel& k = m_model;
+    const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
+    Load f;
+    f.surge_N =
+        (k.mass_kg - k.Xudot) * rate.surge_mps - k.mass_kg * (v * r + k.xG_m * r * r - k.zG_m * p * r);
+    f.sway_N = (k.mass_kg - k.Yvdot) * rate.sway_mps - (k.mass_kg * k.zG_m + k.Ypdot) * rate.rollRate_radps +
+               (k.mass_kg * k.xG_m - k.Yrdot) * rate.yawRate_radps + k.mass_kg * u * r;
+    f.yaw_Nm = (k.mass_kg * k.xG_m - k.Nvdot) * rate.sway_mps - k.Npdot * rate.rollRate_radps +
+               (k.yawInertia_kgm2 - k.Nrdot) * rate.yawRate_radps + k.mass_kg * k.xG_m * u * r;
+    return f;
+}
+
 PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actuators& actuators,
                                                 const Load& external) const {
     const PolynomialModel& k = m_model;

@@ -37,6 +37,10 @@ public:
     Load hullLoad(const ShipMotion& m) const;
     Load propulsionLoad(const ShipMotion& m, const Actuators& actuators) const;
     Load rudderLoad(const ShipMotion& m, const Actuators& actuators) const;
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const {
+        return {hullLoad(m), rudderLoad(m, actuators), propulsionLoad(m, actuators)};
+    }
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;  ///< see ShipDynamics
     double swayAddedMass_kg() const { return -m_model.Yvdot; }
 
 private:

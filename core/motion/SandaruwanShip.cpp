@@ -7,16 +7,60 @@
 #include "core/motion/Propeller.h"
 
 namespace sagara::core {
+namespace {
+
+constexpr double kSlowest = 0.1;  // of the reference speed
+
+}  // namespace
 
 SandaruwanShip::SandaruwanShip(const SandaruwanModel& model, const Vessel& vessel)
     : m_model(model), m_hull(vessel.hull), m_propulsion(vessel.propulsion) {}
+
+SandaruwanShip::Pace SandaruwanShip::paceAt(double surge_mps) const {
+    // As in `acceleration`, where the comments are.
+    const double ratio = m_model.scalesWithSpeed ? surge_mps / m_model.referenceSpeed_mps : 1.0;
+    const double pace = std::max(std::abs(ratio), kSlowest);
+    const double rest = m_model.scalesWithSpeed
+                            ? std::clamp(2.0 * (1.0 - std::abs(ratio) / (2.0 * kSlowest)), 0.0, 1.0)
+                            : 0.0;
+    return {ratio, m_model.gain_perS * (m_model.scalesWithSpeed ? ratio : 1.0), m_model.timeConstant_s / pace,
+            m_model.swayTimeConstant_s / pace, rest};
+}
+
+HullForces SandaruwanShip::hullForces(const ShipMotion& m, const Actuators& actuators) const {
+    const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps;
+    const Pace pace = paceAt(u);
+    HullForces f;
+    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
+        const PropulsionUnit& unit = m_propulsion.units[i];
+        f.propeller.surge_N += (1.0 - unit.thrustDeduction) *
+                               openWaterThrust_N(unit, actuators.shaft_rps[i], u, m_hull.waterDensity_kgpm3);
+    }
+    const double turning = pace.gain_perS * actuators.rudder_rad;
+    f.rudder.sway_N = swayMass_kg() * m_model.swayGain_m * turning / pace.sway_s;
+    f.rudder.yaw_Nm = yawInertia_kgm2() * turning / pace.yaw_s;
+    f.hull = pace.nearRest * crossFlowDrag(m_hull, m_model.crossFlowDrag, v, r);
+    f.hull.surge_N += m_model.surgeFromTurn_kg * v * r - m_model.resistance_kgpm * u * std::abs(u);
+    f.hull.sway_N -= swayMass_kg() * v / pace.sway_s;
+    f.hull.yaw_Nm -= yawInertia_kgm2() * r / pace.yaw_s;
+    return f;
+}
+
+Load SandaruwanShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
+    const double mass_kg = m_hull.mass_kg();
+    Load f;
+    f.surge_N = mass_kg * (1.0 + m_model.surgeAddedMassRatio) * rate.surge_mps -
+                mass_kg * m.sway_mps * m.yawRate_radps;
+    f.sway_N = swayMass_kg() * rate.sway_mps;
+    f.yaw_Nm = yawInertia_kgm2() * rate.yawRate_radps;
+    return f;
+}
 
 PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actuators& actuators,
                                                 const Load& external) const {
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps;
     const double mass_kg = m_hull.mass_kg();
     // Below a tenth of the reference speed the time constants stand still, or they would grow without end.
-    constexpr double kSlowest = 0.1;
     const double speedRatio = m_model.scalesWithSpeed ? u / m_model.referenceSpeed_mps : 1.0;
     const double pace = std::max(std::abs(speedRatio), kSlowest);
     const double gain_perS = m_model.gain_perS * (m_model.scalesWithSpeed ? speedRatio : 1.0);

@@ -16,9 +16,28 @@ public:
     /// roll_radps2 is 0: the model has no roll, see VerticalMotion.
     PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators,
                                     const Load& external) const;
+    /// Of yaw and sway the model knows only what they do: their forces are these accelerations times mass and
+    /// inertia with their added parts.
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const;
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;  ///< see ShipDynamics
     double swayAddedMass_kg() const { return m_model.swayAddedMassRatio * m_hull.mass_kg(); }
 
 private:
+    /// What changes with speed.
+    struct Pace {
+        double ratio;
+        double gain_perS;
+        double yaw_s;   ///< tau
+        double sway_s;  ///< tau_v
+        double nearRest;
+    };
+    Pace paceAt(double surge_mps) const;
+    double swayMass_kg() const { return m_hull.mass_kg() * (1.0 + m_model.swayAddedMassRatio); }
+    double yawInertia_kgm2() const {
+        return m_hull.mass_kg() * m_hull.pitchGyradius_m * m_hull.pitchGyradius_m *
+               (1.0 + m_model.yawAddedInertiaRatio);
+    }
+
     SandaruwanModel m_model;
     Hull m_hull;
     Propulsion m_propulsion;

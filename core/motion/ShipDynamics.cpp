@@ -52,6 +52,27 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves)
         vessel.seakeeping.rollDampingRatio * criticalDamping(m_c.rollStiffness, m_rollInertia_kgm2);
 }
 
+HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuators) const {
+    const auto planar = [](const Load& l) {
+        return Load{.surge_N = l.surge_N, .sway_N = l.sway_N, .yaw_Nm = l.yaw_Nm};
+    };
+    const HullForces f =
+        std::visit([&](const auto& model) { return model.hullForces(m, actuators); }, m_model);
+    return {planar(f.hull), planar(f.rudder), planar(f.propeller)};
+}
+
+Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
+    return std::visit([&](const auto& model) { return model.forceFor(m, rate); }, m_model);
+}
+
+Load ShipDynamics::horizontalForce(const WaveEffect& waves) const {
+    ShipMotion rate;
+    rate.surge_mps = waves.surge_mps2;
+    rate.sway_mps = waves.sway_mps2;
+    rate.yawRate_radps = waves.yaw_radps2;
+    return forceFor({}, rate);
+}
+
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                                     const WaveEffect& waves, NorthEast current) const {
     const Load load = external + waves.load;

@@ -19,6 +19,15 @@ public:
     ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                           const WaveEffect& waves, NorthEast current) const;
 
+    /// Forces of the water on hull, rudders and propellers alone, in the horizontal plane (other members 0).
+    /// A model that has no force for something says what force would do the same.
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const;
+    /// The force in the horizontal plane, of all causes together, that changes her velocities at this rate:
+    /// mass and added mass times acceleration, less what comes of the turning of frame B.
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;
+    /// The force that would do what waves do in the horizontal plane, where they carry her along.
+    Load horizontalForce(const WaveEffect& waves) const;
+
     const WaveLoad& waveLoad() const { return m_waveLoad; }
     /// Mass that a blow from the side has to stop: ship and added mass in sway.
     double lateralMass_kg() const { return m_swayMass_kg; }

@@ -73,11 +73,11 @@ TargetIntent hostileIntent(const TargetLayout& layout, TargetState& state, North
         case HostilePhase::Harass:
             return {headingRound(ownPosition, state.position, kStandOff_m), atLeast(1.5 * ownSpeed_mps)};
         case HostilePhase::Withdraw:
-            return {bearing_rad(state.position, layout.route.front().position), 0.8 * fast};
+            return {bearing_rad(state.position, state.home), 0.8 * fast};
         case HostilePhase::Loiter:
             break;
     }
-    return {headingRound(layout.route.front().position, state.position, kLoiterRadius_m), 0.25 * fast};
+    return {headingRound(state.home, state.position, kLoiterRadius_m), 0.25 * fast};
 }
 
 }  // namespace sagara::core

@@ -129,6 +129,25 @@ core::TargetView read(const wire::Target& w, Check& check) {
     return t;
 }
 
+void write(const core::TargetLayout& t, wire::AddedTarget& w) {
+    w.set_type(static_cast<std::uint32_t>(t.type));
+    w.set_activity(static_cast<std::uint32_t>(t.activity));
+    w.set_length_m(t.length_m);
+    w.set_beam_m(t.beam_m);
+    w.set_draught_m(t.draught_m);
+    w.set_name(t.name);
+}
+core::TargetLayout read(const wire::AddedTarget& w, Check& check) {
+    core::TargetLayout t;
+    t.type = check.choice(w.type(), core::kLastTargetType, "added.type");
+    t.activity = check.choice(w.activity(), core::kLastActivity, "added.activity");
+    t.length_m = check.between(w.length_m(), 3.0, 400.0, "added.length_m");
+    t.beam_m = check.between(w.beam_m(), 1.0, 70.0, "added.beam_m");
+    t.draught_m = check.between(w.draught_m(), 0.2, 25.0, "added.draught_m");
+    t.name = check.text(w.name(), 60, "added.name");
+    return t;
+}
+
 void write(const core::WaveSystem& s, wire::WaveSystem& w) {
     w.set_significant_height_m(s.significantHeight_m);
     w.set_peak_period_s(s.peakPeriod_s);
@@ -179,6 +198,7 @@ Kind write(const Frame& frame, wire::Frame& w) {
     w.set_level(static_cast<std::uint32_t>(s.level));
     for (const core::OwnShipView& ship : s.ships) write(ship, *w.add_ships());
     for (const core::TargetView& target : s.targets) write(target, *w.add_targets());
+    for (const core::TargetLayout& target : s.added) write(target, *w.add_added());
     write(s.weather, *w.mutable_weather());
     w.set_wind_mps(s.wind.speed_mps);
     w.set_wind_from_rad(s.wind.windFrom_rad);
@@ -202,6 +222,8 @@ Frame read(const wire::Frame& w, Check& check) {
         s.ships.push_back(read(w.ships(i), check));
     for (int i = 0; i < check.count(w.targets_size(), kMostTargets, "targets"); ++i)
         s.targets.push_back(read(w.targets(i), check));
+    for (int i = 0; i < check.count(w.added_size(), core::kMostAddedTargets, "added targets"); ++i)
+        s.added.push_back(read(w.added(i), check));
     s.weather = read(w.weather(), check);
     s.wind = {check.between(w.wind_mps(), 0.0, 500.0, "wind_mps"),
               check.number(w.wind_from_rad(), "windFrom_rad")};

@@ -40,6 +40,7 @@ Moment momentOf(const core::Snapshot& snapshot) {
     m.time = snapshot.time();
     for (const core::OwnShipView& ship : snapshot.ships) m.ships.push_back(poseOf(ship));
     for (const core::TargetView& target : snapshot.targets) m.targets.push_back(poseOf(target));
+    m.added = snapshot.added;
     m.weather = snapshot.weather;
     m.wind = snapshot.wind;
     m.sea = snapshot.sea;

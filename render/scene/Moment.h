@@ -28,15 +28,16 @@ struct OwnShipPose : ShipPose {
 };
 
 struct TargetPose : ShipPose {
-    std::size_t index = 0;  ///< in World::targets
+    std::size_t index = 0;  ///< in World::targets, or beyond it in Moment::added
 };
 
 /// Everything about one instant that a picture shows, beside the World. Plain data: it crosses the link to
 /// the channels, and the same moment gives the same picture everywhere.
 struct Moment {
     core::SimTime time;
-    std::vector<OwnShipPose> ships;   ///< as World::ships
-    std::vector<TargetPose> targets;  ///< only those that are there
+    std::vector<OwnShipPose> ships;         ///< as World::ships
+    std::vector<TargetPose> targets;        ///< only those that are there
+    std::vector<core::TargetLayout> added;  ///< by the trainer; their indices follow those of World::targets
     core::Weather weather;
     core::WindVelocity wind;
     core::SeaState sea;

@@ -150,8 +150,9 @@ bool fits(const core::Snapshot& snapshot, const core::World& world) {
             seen.anchors.size() != ship.anchorCount())
             return false;
     }
-    return std::all_of(snapshot.targets.begin(), snapshot.targets.end(),
-                       [&](const core::TargetView& t) { return t.index < world.targets.size(); });
+    return std::all_of(snapshot.targets.begin(), snapshot.targets.end(), [&](const core::TargetView& t) {
+        return t.index < world.targets.size() + snapshot.added.size();
+    });
 }
 
 ChannelEnd runChannel(const ChannelOptions& options, FrameRenderer& renderer,

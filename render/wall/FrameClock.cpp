@@ -5,6 +5,12 @@
 
 namespace sagara::wall {
 
+void FrameClock::setRate(double rate) {
+    if (rate == m_rate) return;
+    m_rate = rate;
+    m_set = false;
+}
+
 core::SimTime FrameClock::at(std::int64_t wall_us, core::SimTime newest) {
     const double tick_us = std::max(1.0, m_rate) * static_cast<double>(core::kTick_us);
     const core::SimTime time{m_base.us + static_cast<std::int64_t>(std::llround(

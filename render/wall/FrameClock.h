@@ -14,6 +14,8 @@ public:
     /// `rate`: simulation seconds to a second of the wall clock.
     explicit FrameClock(double rate = 1.0) : m_rate(rate) {}
 
+    void setRate(double rate);
+
     /// `newest`: of the snapshots there are; `wall_us`: now. The result is never later than `newest`.
     core::SimTime at(std::int64_t wall_us, core::SimTime newest);
 

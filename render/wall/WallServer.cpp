@@ -74,9 +74,10 @@ public:
         if (m_options.everywhere && m_options.token.size() < link::kShortestToken)
             return "to listen to other PCs a token of " + std::to_string(link::kShortestToken) +
                    " characters or more is needed";
-        if (m_world->ships.size() > link::kMostShips || m_world->targets.size() > link::kMostTargets)
+        if (m_world->ships.size() > link::kMostShips ||
+            m_world->targets.size() + core::kMostAddedTargets > link::kMostTargets)
             return "a wall shows at most " + std::to_string(link::kMostShips) + " own ships and " +
-                   std::to_string(link::kMostTargets) + " targets";
+                   std::to_string(link::kMostTargets - core::kMostAddedTargets) + " targets";
         std::size_t setup_bytes = 4096;
         const core::ExerciseDocuments& d = m_world->documents;
         for (const auto* text : {&d.scenario, &d.area}) setup_bytes += text->text.size();

@@ -6,6 +6,9 @@
 
 #include "Support.h"
 #include "core/base/Hash.h"
+#include "db/AssessmentRepository.h"
+#include "db/AssignmentRepository.h"
+#include "db/RunHistory.h"
 #include "db/SettingRepository.h"
 #include "db/schema/Schema.h"
 #include "db/sql/Query.h"
@@ -57,6 +60,27 @@ TEST_P(StoredSample, KeepsEveryRow) {
     EXPECT_EQ(run.stateHash, ended().stateHash);
     EXPECT_EQ(GradeRepository(db).find(run.id), good());
     EXPECT_EQ(RunRepository(db).findByRecording("recordings/b.sagarec")->status, RunStatus::Running);
+}
+
+TEST_P(StoredSample, IsReadyForWhatIsNew) {
+    Database db(m_folder / "sagara.db");
+    const PersonRecord person = PersonRepository(db).findByName("නිමල් O'Brien").value();
+    EXPECT_EQ(RunHistory(db).gradesOf(person.id).size(), 1u);
+    const PersonId trainer = *PersonRepository(db).add("Silva", Role::Trainer, kNoon);
+    const RunId run = RunRepository(db).findByRecording("recordings/a.sagarec")->id;
+    AssessmentRepository assessments(db);
+    if (GetParam() < 2) {
+        EXPECT_EQ(person.number + person.rank + person.note, "");
+        EXPECT_FALSE(person.schoolClass);
+        EXPECT_TRUE(assessments.put(run, {"good", {}}, kNoon));
+        EXPECT_TRUE(assessments.sign(run, trainer, kNoon));
+        return;
+    }
+    EXPECT_EQ(person.number, "NA-17");
+    EXPECT_EQ(ClassRepository(db).find(*person.schoolClass)->name, "Watch A");
+    EXPECT_EQ(AssignmentRepository(db).openFor(person.id).size(), 1u);
+    EXPECT_EQ(assessments.find(run)->signedOff->name, "A. Silva");
+    EXPECT_EQ(assessments.put(run, {}, kNoon).error(), AssessError::SignedAlready);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryVersion, StoredSample, ::testing::Range(1, kSchemaVersion + 1));
@@ -123,9 +147,21 @@ TEST(Sample, DISABLED_IsWrittenToTheFileInSagaraSample) {
     DocumentRepository(db, DocumentTable::Scenario)
         .put({.key = "basic-navigation", .name = "Basic Navigation", .text = "{}"}, kMorning);
     NewRun run = lesson();
-    run.person = *PersonRepository(db).add("නිමල් O'Brien", Role::Trainee, kMorning);
+    const ClassId watch = *ClassRepository(db).add("Watch A", kMorning);
+    run.person = *PersonRepository(db).add(
+        {"නිමල් O'Brien", Role::Trainee, "NA-17", "Sub-Lieutenant", "nimal@example.org", watch}, kMorning);
     run.seed = 0xffffffffffffffff;
-    fileRun(db, {run, ended(), good()});
+    const RunId filed = fileRun(db, {run, ended(), good()});
+    const PersonId trainer = *PersonRepository(db).add("A. Silva", Role::Trainer, kMorning);
+    ASSERT_TRUE(AssessmentRepository(db).put(filed, {"too fast", Overrule{60.0, true, "weather"}}, kNoon));
+    ASSERT_TRUE(AssessmentRepository(db).sign(filed, trainer, kNoon));
+    NewAssignment mission;
+    mission.scenarioKey = "basic-navigation";
+    mission.scenarioName = "Basic Navigation";
+    mission.forWhom = watch;
+    mission.due = {kNoon.unix_s + 86'400};
+    mission.assignedBy = trainer;
+    ASSERT_TRUE(AssignmentRepository(db).add(mission, kNoon));
     RunRepository(db).start(lesson("recordings/b.sagarec"));
     SettingRepository(db).put("language", "si");
 }

@@ -97,6 +97,44 @@ TEST_F(People, RetiredIsHiddenAndFreesTheNameYetKeepsTheRow) {
     EXPECT_TRUE(m_people.inUse().empty());
 }
 
+TEST_F(People, EveryFieldComesBackAndMayBeChanged) {
+    NewPerson person{"Silva", Role::Trainee, " NA-17 ", "Sub-Lieutenant", "silva@example.org", {}};
+    const PersonId id = *m_people.add(person, kMorning);
+    EXPECT_EQ(m_people.find(id)->number, "NA-17");
+    EXPECT_EQ(m_people.find(id)->rank, "Sub-Lieutenant");
+    EXPECT_EQ(m_people.find(id)->note, "silva@example.org");
+    person.rank = "Lieutenant";
+    person.role = Role::Trainer;
+    ASSERT_TRUE(m_people.change(id, person));
+    EXPECT_EQ(m_people.find(id)->rank, "Lieutenant");
+    EXPECT_EQ(m_people.find(id)->role, Role::Trainer);
+}
+
+TEST_F(People, NamesAndNumbersAreOnePersonsOnly) {
+    const PersonId silva = *m_people.add({"Silva", Role::Trainee, "17", "", "", {}}, kMorning);
+    const PersonId dias = *m_people.add({"Dias", Role::Trainee, "", "", "", {}}, kMorning);
+    ASSERT_TRUE(m_people.add({"Perera", Role::Trainee, "", "", "", {}}, kMorning));  // many have no number
+    EXPECT_EQ(m_people.add({"Fernando", Role::Trainee, "17", "", "", {}}, kMorning).error(),
+              AddError::NumberTaken);
+    EXPECT_EQ(m_people.change(dias, {"Dias", Role::Trainee, "17", "", "", {}}).error(),
+              AddError::NumberTaken);
+    EXPECT_EQ(m_people.change(dias, {"Silva", Role::Trainee, "", "", "", {}}).error(), AddError::NameTaken);
+    m_people.retire(silva);
+    ASSERT_TRUE(m_people.change(dias, {"Dias", Role::Trainee, "17", "", "", {}}));
+    EXPECT_EQ(m_people.restore(silva).error(), AddError::NumberTaken);
+    EXPECT_EQ(m_people.all().size(), 3u);
+}
+
+TEST_F(People, FieldsThatCannotBeKeptAreRefused) {
+    const auto error = [this](std::string number, std::string rank, std::string note) {
+        return m_people.add({"Silva", Role::Trainee, number, rank, note, {}}, kMorning).error();
+    };
+    EXPECT_EQ(error(std::string(41, '1'), "", ""), AddError::NumberUnusable);
+    EXPECT_EQ(error("", "a\nb", ""), AddError::RankUnusable);
+    EXPECT_EQ(error("", "", std::string(401, 'x')), AddError::NoteUnusable);
+    EXPECT_TRUE(m_people.inUse().empty());
+}
+
 TEST_F(People, ListIsByName) {
     for (const char* name : {"Silva", "Dias", "Perera"})
         ASSERT_TRUE(m_people.add(name, Role::Trainee, kMorning));

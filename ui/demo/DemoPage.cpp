@@ -84,9 +84,7 @@ DemoPage::DemoPage(DemoPorts ports, DemoSettings settings, QWidget* parent)
     begin(0);
 }
 
-DemoPage::~DemoPage() {
-    if (m_ports.wall != nullptr) m_ports.wall->stop();
-}
+DemoPage::~DemoPage() = default;
 
 void DemoPage::begin(std::size_t lesson) {
     m_lesson = lesson;
@@ -100,7 +98,7 @@ void DemoPage::begin(std::size_t lesson) {
     Q_EMIT atFirstState();
     if (!m_begun) return;
     showWorld();
-    if (m_ports.wall != nullptr) m_ports.wall->show(run());
+    if (m_ports.wall) m_ports.wall->show();
     run().start();
 }
 
@@ -140,7 +138,7 @@ void DemoPage::showEvent(QShowEvent*) {
     if (m_settings.fullScreen) window()->setWindowState(window()->windowState() | Qt::WindowFullScreen);
     if (!std::exchange(m_begun, true)) {
         showWorld();
-        if (m_ports.wall != nullptr) m_ports.wall->show(run());
+        if (m_ports.wall) m_ports.wall->show();
         run().start();
     }
     m_sinceBeat.start();
@@ -177,7 +175,7 @@ void DemoPage::leave() {
     m_frames->stop();
     m_beats->stop();
     run().freeze();
-    if (m_ports.wall != nullptr) m_ports.wall->stop();
+    m_ports.wall.reset();
     if (m_settings.fullScreen) window()->setWindowState(window()->windowState() & ~Qt::WindowFullScreen);
     Q_EMIT leaveWanted();
 }
@@ -229,7 +227,8 @@ void DemoPage::perform(DemoDirector::Act act) {
             break;
         case DemoDirector::Act::Reset:
             ++m_figures.resets;
-            begin((m_lesson + 1) % m_ports.exercises->count());
+            // The next lesson only after a whole one: another world takes the wall a while to load.
+            begin(run().over() ? (m_lesson + 1) % m_ports.exercises->count() : m_lesson);
             break;
     }
     caption();

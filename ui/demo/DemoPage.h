@@ -34,19 +34,19 @@ public:
     virtual ExerciseRun& run() = 0;  ///< the same object for all lessons; has one from the first `begin` on
 };
 
-/// The projector wall, if there is one. Its own thread may look at the run (`toDraw` is safe there).
+/// The projector wall, if there is one.
 class DemoWall {
 public:
     virtual ~DemoWall() = default;
-    virtual void show(ExerciseRun& run) = 0;  ///< after every `begin`; the world may be another one
-    virtual void stop() = 0;                  ///< before the run goes
+    /// After every `begin`: shows the run from now on, whose world may be another one.
+    virtual void show() = 0;
 };
 
 struct DemoPorts {
     std::unique_ptr<DemoExercises> exercises;  ///< at least one lesson
     /// The 3D scene showing that world; null where there is none.
     std::function<render::Stage*(const std::shared_ptr<const core::World>&)> stageFor;
-    DemoWall* wall = nullptr;  ///< outlives the page
+    std::unique_ptr<DemoWall> wall;  ///< may be null; goes before the exercises
     /// Nothing while no joystick is plugged in.
     std::function<std::optional<StickReading>()> stick;
 };

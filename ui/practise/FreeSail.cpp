@@ -45,17 +45,65 @@ double leastDepth_m(const core::Area& area, NorthEast place, double radius_m) {
     return least_m;
 }
 
+/// The bollard nearest to that point of a ship's side; none when all are far from it.
+const core::Berth::Bollard* bollardNear(const core::Berth& berth, NorthEast point, double atMost_m) {
+    const core::Berth::Bollard* best = nullptr;
+    double nearest_m = atMost_m;
+    for (const core::Berth::Bollard& bollard : berth.bollards) {
+        const double distance_m = core::distance(bollard.position, point);
+        if (distance_m >= nearest_m) continue;
+        nearest_m = distance_m;
+        best = &bollard;
+    }
+    return best;
+}
+
+/// Head and stern line leading outward, two springs leading inward, from the fairleads of her port side.
+std::vector<SailPlace::Line> linesTo(const core::Berth& berth, const core::Vessel& vessel, NorthEast midship,
+                                     double heading_rad) {
+    std::vector<core::Fairlead> side;
+    for (const core::Fairlead& fairlead : vessel.mooring.fairleads)
+        if (fairlead.position.y_m < 0.0) side.push_back(fairlead);
+    std::sort(side.begin(), side.end(), [](const auto& a, const auto& b) { return a.position.x_m > b.position.x_m; });
+    if (side.size() < 2) return {};
+    const core::HeadingFrame frame(midship, heading_rad);
+    const double length_m = vessel.hull.lengthOverall_m;
+    const std::size_t last = side.size() - 1;
+    struct Wanted {
+        const char* id;
+        std::size_t fairlead;
+        double lead;  ///< ahead of the fairlead, in lengths
+    };
+    const Wanted wanted[] = {{"head", 0, 0.15},
+                             {"stern", last, -0.15},
+                             {"fore-spring", std::min<std::size_t>(1, last), -0.4},
+                             {"aft-spring", last == 0 ? 0 : last - 1, 0.4}};
+    std::vector<SailPlace::Line> lines;
+    for (const Wanted& w : wanted) {
+        const core::Fairlead& from = side[w.fairlead];
+        const NorthEast aim = frame.point({from.position.x_m + w.lead * length_m, -0.6 * vessel.hull.beam_m});
+        if (const auto* const bollard = bollardNear(berth, aim, 0.3 * length_m))
+            lines.push_back({w.id, from.id, bollard->id});
+    }
+    return lines;
+}
+
 void addBerths(const core::Area& area, const core::Vessel& vessel, std::vector<SailPlace>& places) {
     const core::Hull& hull = vessel.hull;
     for (const core::Berth& berth : area.berths) {
         const double length_m = core::distance(berth.face.a, berth.face.b);
         if (length_m < hull.lengthOverall_m + 2.0 * kBerthEnds_m) continue;
         if (berth.depth_m < hull.draught_m + kBerthClearance_m) continue;
-        SailPlace place{berth.id,     "Alongside: " + berth.name, berth.id, 0.5 * length_m, {}, 0.0,
-                        berth.depth_m};
-        const NorthEast middle = berth.face.a + place.along_m * berth.along();
+        const NorthEast middle = berth.face.a + 0.5 * length_m * berth.along();
+        const double heading_rad = core::bearing_rad(berth.face.a, berth.face.b);
+        SailPlace place;
+        place.id = place.berth = berth.id;
+        place.name = "Alongside: " + berth.name;
+        place.along_m = 0.5 * length_m;
         place.at = area.frame.toGeo(middle);
-        place.heading_deg = wholeDegrees(core::bearing_rad(berth.face.a, berth.face.b) + core::kPi);
+        place.heading_deg = wholeDegrees(heading_rad);
+        place.depth_m = berth.depth_m;
+        place.lines = linesTo(berth, vessel, middle + 0.5 * hull.beam_m * berth.outward(), heading_rad);
         places.push_back(std::move(place));
     }
 }
@@ -64,7 +112,11 @@ void addAtSea(const core::Area& area, const core::Vessel& vessel, NorthEast at, 
               std::string id, std::string name, std::vector<SailPlace>& places) {
     const double depth_m = leastDepth_m(area, at, radius_m);
     if (depth_m < vessel.hull.draught_m + kSeaClearance_m) return;
-    SailPlace place{std::move(id), std::move(name), {}, 0.0, area.frame.toGeo(at), 0.0, depth_m};
+    SailPlace place;
+    place.id = std::move(id);
+    place.name = std::move(name);
+    place.at = area.frame.toGeo(at);
+    place.depth_m = depth_m;
     place.heading_deg = wholeDegrees(core::bearing_rad(at, {}));
     places.push_back(std::move(place));
 }
@@ -116,6 +168,12 @@ QJsonObject shipJson(const FreeSail& sail) {
         ship[QStringLiteral("berth")] = QJsonObject{{QStringLiteral("id"), q(sail.place.berth)},
                                                     {QStringLiteral("along_m"), sail.place.along_m},
                                                     {QStringLiteral("side"), QStringLiteral("port")}};
+        QJsonArray lines;
+        for (const SailPlace::Line& line : sail.place.lines)
+            lines.append(QJsonObject{{QStringLiteral("id"), q(line.id)},
+                                     {QStringLiteral("fairlead"), q(line.fairlead)},
+                                     {QStringLiteral("bollard"), q(line.bollard)}});
+        ship[QStringLiteral("lines")] = lines;
     } else {
         ship[QStringLiteral("at")] = geo(sail.place.at);
         ship[QStringLiteral("heading_deg")] = sail.heading_deg;

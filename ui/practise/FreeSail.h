@@ -18,6 +18,12 @@ struct SailPlace {
     core::GeoPoint at;
     double heading_deg = 0.0;  ///< true; alongside it follows from the berth
     double depth_m = 0.0;      ///< below chart datum
+    struct Line {
+        std::string id;
+        std::string fairlead;  ///< of the vessel
+        std::string bollard;   ///< of the area
+    };
+    std::vector<Line> lines;  ///< alongside: with which she is made fast, port side to
     bool alongside() const { return !berth.empty(); }
 };
 

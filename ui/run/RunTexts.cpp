@@ -1,6 +1,7 @@
 #include "ui/run/RunTexts.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "core/assess/Mission.h"
 #include "core/base/Units.h"
@@ -25,6 +26,17 @@ QString faultName(std::int32_t index) {
             return tr("engine");
     }
     return {};
+}
+
+QString motionsText(std::uint8_t free) {
+    if (free == core::kAllMotions) return tr("All motions free");
+    if (free == 0) return tr("All motions held");
+    const QStringList names{tr("surge"), tr("sway"), tr("heave"), tr("roll"), tr("pitch"), tr("yaw")};
+    QStringList list;
+    for (int i = 0; i < names.size(); ++i) {
+        if ((free >> i & 1) != 0) list << names[i];
+    }
+    return tr("Free: %1; the other motions are held").arg(list.join(QStringLiteral(", ")));
 }
 
 QString deductionText(const core::World& world, const core::Event& e) {
@@ -52,11 +64,30 @@ QString utcTime(const core::World& world, core::SimTime time) {
     return fromStd(core::formatUtc(utcAt(world, time))).mid(11, 8) + QStringLiteral(" UTC");
 }
 
-QString eventText(const core::World& world, const core::Event& e) {
+QString reportText(core::ReportKind kind) {
+    switch (kind) {
+        case core::ReportKind::PortControl:
+            return tr("Reported to port control");
+        case core::ReportKind::Anchored:
+            return tr("Reported: anchored");
+        case core::ReportKind::ManOverboard:
+            return tr("Reported: man overboard");
+    }
+    return {};
+}
+
+QString eventText(const core::World& world, const core::Event& e) { return eventText(world, {}, e); }
+
+QString eventText(const core::World& world, const std::vector<core::TargetLayout>& added,
+                  const core::Event& e) {
     using Kind = core::EventKind;
     const auto i = static_cast<std::size_t>(e.index);
     const auto& tasks = world.mission.tasks;
-    const auto target = [&] { return i < world.targets.size() ? fromStd(world.targets[i].name) : QString(); };
+    const auto target = [&] {
+        if (i < world.targets.size()) return fromStd(world.targets[i].name);
+        const std::size_t n = i - world.targets.size();
+        return n < added.size() ? fromStd(added[n].name) : tr("Added target %1").arg(n + 1);
+    };
     const auto line = [&] {
         const auto& ids = world.ships[std::min<std::size_t>(e.ship, world.ships.size() - 1)]->lineIds;
         return i < ids.size() ? fromStd(ids[i]) : QString();
@@ -102,6 +133,15 @@ QString eventText(const core::World& world, const core::Event& e) {
             return tr("Difficulty %1").arg(e.index);
         case Kind::Stopped:
             return tr("Stopped: a value of the simulation was not a number");
+        case Kind::NoteMade:
+            if (e.text.empty()) return tr("Bookmark");
+            return (e.value > 0.0 ? tr("Bookmark: %1") : tr("Note: %1")).arg(fromStd(e.text));
+        case Kind::Reported:
+            return reportText(static_cast<core::ReportKind>(e.index));
+        case Kind::TargetMoved:
+            return tr("%1 is put elsewhere").arg(target());
+        case Kind::MotionsFreed:
+            return motionsText(static_cast<std::uint8_t>(e.index));
         case Kind::AnchorOnBottom:
         case Kind::AnchorHome:
             return {};

@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "core/exercise/Event.h"
+#include "core/exercise/InstructorOrders.h"
 #include "core/exercise/World.h"
 
 /// Times of an exercise in words.
@@ -16,5 +17,9 @@ QString localTime(const core::World& world, core::SimTime time);
 QString utcTime(const core::World& world, core::SimTime time);
 /// What happened, in a line for the log; empty for what is of no interest to a trainer.
 QString eventText(const core::World& world, const core::Event& event);
+/// With the names of the targets that were added in the run.
+QString eventText(const core::World& world, const std::vector<core::TargetLayout>& added,
+                  const core::Event& event);
+QString reportText(core::ReportKind kind);
 
 }  // namespace sagara::ui

@@ -51,7 +51,7 @@ QString briefingHtml(const core::World& world) {
 }
 
 StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent)
-    : QWidget(parent),
+    : Page(parent),
       m_scenarios(std::move(scenarios)),
       m_look(std::move(look)),
       m_list(new QListWidget(this)),
@@ -62,6 +62,8 @@ StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* p
       m_pilot(new QCheckBox(tr("The scripted pilot has the ship at the start"), this)),
       m_open(new QPushButton(tr("Open the desk"), this)),
       m_trouble(new QLabel(this)) {
+    setWindowTitle(tr("Run a lesson"));
+    m_open->setProperty("primary", true);
     m_list->setObjectName(QStringLiteral("scenarios"));
     m_open->setObjectName(QStringLiteral("open"));
     m_open->setDefault(true);
@@ -85,13 +87,6 @@ StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* p
     form->addRow(tr("Trainee"), m_trainee);
     form->addRow(m_pilot);
     auto* const left = new QVBoxLayout;
-    left->addWidget(heading(tr("Sagara"), 2.2, this));
-    left->addWidget(
-        new QLabel(tr("Choose an exercise and open the trainer's desk. There are no passwords yet: whoever "
-                      "sits here is the trainer."),
-                   this));
-    static_cast<QLabel*>(left->itemAt(1)->widget())->setWordWrap(true);
-    left->addSpacing(12);
     left->addWidget(heading(tr("Exercises"), 1.2, this));
     left->addWidget(m_list, 1);
     left->addLayout(form);

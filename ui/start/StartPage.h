@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QWidget>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/exercise/World.h"
+#include "ui/theme/Page.h"
 
 class QCheckBox;
 class QComboBox;
@@ -33,7 +33,7 @@ struct StartChoice {
 };
 
 /// Choosing an exercise: which, how hard, for whom, as what. Shows the briefing of what is chosen.
-class StartPage final : public QWidget {
+class StartPage final : public Page {
     Q_OBJECT
 
 public:
@@ -42,6 +42,7 @@ public:
         std::function<core::Result<std::shared_ptr<const core::World>, std::string>(const std::string&)>;
 
     StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent = nullptr);
+    QString helpTopic() const override { return QStringLiteral("lesson"); }
     void setTrouble(const QString& trouble);  ///< shown until the next choice; empty: none
 
 Q_SIGNALS:

@@ -1,9 +1,14 @@
 #include "ui/trainer/RunBar.h"
 
 #include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QTimeEdit>
 
 #include "ui/run/RunTexts.h"
 
@@ -13,6 +18,7 @@ RunBar::RunBar(ExerciseRun& run, QWidget* parent)
     : QWidget(parent),
       m_run(run),
       m_start(new QPushButton(this)),
+      m_goBack(new QPushButton(tr("Go back"), this)),
       m_end(new QPushButton(tr("End and grade"), this)),
       m_rate(new QComboBox(this)),
       m_clock(new QLabel(this)),
@@ -22,6 +28,15 @@ RunBar::RunBar(ExerciseRun& run, QWidget* parent)
     m_start->setShortcut(Qt::Key_Space);
     m_end->setObjectName(QStringLiteral("end"));
     m_end->setToolTip(tr("End the exercise; it is graded as it stands"));
+    m_goBack->setObjectName(QStringLiteral("go-back"));
+    m_goBack->setMenu(new QMenu(m_goBack));
+    connect(m_goBack->menu(), &QMenu::aboutToShow, this, &RunBar::fillGoBack);
+    setMayGoBack(true);
+    auto* const console = new QPushButton(tr("Console"), this);
+    console->setObjectName(QStringLiteral("open-console"));
+    console->setToolTip(
+        tr("Open the trainee's console of this run in a window of its own, for another monitor"));
+    connect(console, &QPushButton::clicked, this, &RunBar::consoleWanted);
     m_rate->setObjectName(QStringLiteral("rate"));
     m_rate->setToolTip(tr("Seconds of the exercise to one of the clock on the wall"));
     for (const int times : {1, 2, 5, 10, 20}) m_rate->addItem(tr("%1x").arg(times), times);
@@ -33,11 +48,13 @@ RunBar::RunBar(ExerciseRun& run, QWidget* parent)
     layout->addWidget(m_start);
     layout->addWidget(new QLabel(tr("Pace"), this));
     layout->addWidget(m_rate);
+    layout->addWidget(m_goBack);
     layout->addSpacing(12);
     layout->addWidget(m_clock);
     layout->addStretch();
     layout->addWidget(m_state);
     layout->addSpacing(12);
+    layout->addWidget(console);
     layout->addWidget(m_end);
 
     connect(m_start, &QPushButton::clicked, this, &RunBar::toggle);
@@ -53,6 +70,49 @@ void RunBar::toggle() {
     else
         m_run.start();
     refresh();
+}
+
+std::int64_t RunBar::sailed_s() const { return m_run.latest()->time().us / 1'000'000; }
+
+void RunBar::setMayGoBack(bool may) {
+    m_goBack->setEnabled(may);
+    m_goBack->setToolTip(
+        may ? tr("Sail again from an earlier second; what was sailed since is kept in a recording "
+                 "of its own")
+            : tr("An assessment is graded as it was sailed: it cannot go back"));
+}
+
+void RunBar::fillGoBack() {
+    QMenu* const menu = m_goBack->menu();
+    menu->clear();
+    const std::int64_t now_s = sailed_s();
+    const auto offer = [&](const QString& text, std::int64_t to_s) {
+        QAction* const action = menu->addAction(text, this, [this, to_s] { Q_EMIT goBackWanted(to_s); });
+        action->setObjectName(QStringLiteral("go-back-%1").arg(to_s));
+    };
+    for (const auto& [ago_s, text] : {std::pair{10, tr("10 seconds")}, std::pair{30, tr("30 seconds")},
+                                      std::pair{60, tr("1 minute")}, std::pair{300, tr("5 minutes")}})
+        if (now_s > ago_s) offer(tr("%1 back").arg(text), now_s - ago_s);
+    if (now_s > 0) menu->addSeparator();
+    offer(tr("To the start"), 0);
+    menu->addAction(tr("To a time ..."), this, &RunBar::askSecond);
+}
+
+void RunBar::askSecond() {
+    m_run.freeze();
+    const int last_s = static_cast<int>(sailed_s());
+    QTimeEdit* const edit = new QTimeEdit(QTime(0, 0).addSecs(last_s));
+    QDialog dialog(this);
+    dialog.setWindowTitle(tr("Go back"));
+    edit->setDisplayFormat(QStringLiteral("HH:mm:ss"));
+    edit->setTimeRange(QTime(0, 0), QTime(0, 0).addSecs(last_s));
+    auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    auto* const form = new QFormLayout(&dialog);
+    form->addRow(tr("Time elapsed, up to %1").arg(elapsed(m_run.latest()->time())), edit);
+    form->addRow(buttons);
+    if (dialog.exec() == QDialog::Accepted) Q_EMIT goBackWanted(QTime(0, 0).secsTo(edit->time()));
 }
 
 void RunBar::refresh() {

@@ -72,6 +72,8 @@ TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent
     bar->addWidget(m_bar);
     addToolBar(Qt::TopToolBarArea, bar);
     connect(m_bar, &RunBar::endWanted, this, &TrainerDesk::endWanted);
+    connect(m_bar, &RunBar::goBackWanted, this, &TrainerDesk::goBackWanted);
+    connect(m_bar, &RunBar::consoleWanted, this, &TrainerDesk::consoleWanted);
     addChartTools();
     addViews(stage);
     addPanels();
@@ -114,16 +116,6 @@ void TrainerDesk::addChartTools() {
     });
     connect(m_chart, &ChartWidget::toolChanged, range,
             [range](ChartTools::Tool tool) { range->setChecked(tool == ChartTools::Tool::RangeBearing); });
-    bar->addSeparator();
-    bar->addWidget(new QLabel(tr("Colours "), bar));
-    auto* const colours = new QComboBox(bar);
-    colours->addItem(tr("Day"), static_cast<int>(PaletteName::Day));
-    colours->addItem(tr("Dusk"), static_cast<int>(PaletteName::Dusk));
-    colours->addItem(tr("Night"), static_cast<int>(PaletteName::Night));
-    connect(colours, &QComboBox::activated, this, [this, colours](int index) {
-        m_chart->setColours(static_cast<PaletteName>(colours->itemData(index).toInt()));
-    });
-    bar->addWidget(colours);
 }
 
 QWidget* TrainerDesk::viewPanel(std::size_t index) {
@@ -178,28 +170,39 @@ void TrainerDesk::addViews(render::Stage* stage) {
     addDockWidget(Qt::RightDockWidgetArea, dock);
 }
 
+void TrainerDesk::addPanel(const QString& title, const QString& name, QWidget* panel) {
+    auto* const dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    dock->setWidget(scrolled(panel));
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
+    auto* const mission = findChild<QDockWidget*>(QStringLiteral("mission"));
+    if (mission != nullptr && mission != dock) tabifyDockWidget(mission, dock);
+}
+
 void TrainerDesk::addPanels() {
-    const auto dock = [&](const QString& title, const QString& name, QWidget* widget) {
-        auto* const d = new QDockWidget(title, this);
-        d->setObjectName(name);
-        d->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-        d->setWidget(scrolled(widget));
-        addDockWidget(Qt::LeftDockWidgetArea, d);
-        return d;
-    };
-    QDockWidget* const mission = dock(tr("Mission"), QStringLiteral("mission"), m_mission);
-    QDockWidget* const events = dock(tr("Events"), QStringLiteral("events"), m_events);
-    tabifyDockWidget(mission, events);
+    addPanel(tr("Mission"), QStringLiteral("mission"), m_mission);
+    addPanel(tr("Events"), QStringLiteral("events"), m_events);
     if (!m_run.world()->ships.empty()) {
         m_instruments = new Instruments(*m_run.world(), 0, this);
         m_helm = new HelmPanel(m_run, 0, this);
-        QDockWidget* const ship = dock(tr("Own ship"), QStringLiteral("instruments"), m_instruments);
-        QDockWidget* const helm = dock(tr("Helm"), QStringLiteral("helm"), m_helm);
-        tabifyDockWidget(ship, helm);
+        addPanel(tr("Own ship"), QStringLiteral("instruments"), m_instruments);
+        addPanel(tr("Helm"), QStringLiteral("helm"), m_helm);
+        auto* const ship = findChild<QDockWidget*>(QStringLiteral("instruments"));
+        addDockWidget(Qt::LeftDockWidgetArea, ship);  // below the others
+        tabifyDockWidget(ship, findChild<QDockWidget*>(QStringLiteral("helm")));
         ship->raise();
     }
-    mission->raise();
+    findChild<QDockWidget*>(QStringLiteral("mission"))->raise();
 }
+
+void TrainerDesk::showSailed(std::vector<ChartTrackPoint> track) {
+    m_chart->setTracks({ChartTrack{std::move(track), true}});
+}
+
+void TrainerDesk::setMayGoBack(bool may) { m_bar->setMayGoBack(may); }
+
+void TrainerDesk::setColours(PaletteName name) { m_chart->setColours(name); }
 
 /// Sizes are known only now: room for the panels by the width of the desk, and the chart at the route.
 void TrainerDesk::showEvent(QShowEvent* event) {

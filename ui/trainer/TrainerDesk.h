@@ -5,6 +5,8 @@
 
 #include "render/scene/Stage.h"
 #include "ui/run/ExerciseRun.h"
+#include "ui/theme/PaletteName.h"
+#include "ui/widgets/ChartScene.h"
 
 class QTimer;
 
@@ -27,12 +29,21 @@ public:
     TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent = nullptr);
     ~TrainerDesk() override;
 
+    /// Another panel among those on the left; the desk owns it.
+    void addPanel(const QString& title, const QString& name, QWidget* panel);
+    /// What was sailed before the run was taken up or went back.
+    void showSailed(std::vector<ChartTrackPoint> track);
+    void setMayGoBack(bool may);
+    void setColours(PaletteName name);
+
     /// Draws and shows what is now; called by a timer, and by tests.
     void drawViews();
     void refresh();
 
 Q_SIGNALS:
     void endWanted();
+    void goBackWanted(std::int64_t second);
+    void consoleWanted();
 
 protected:
     void showEvent(QShowEvent* event) override;

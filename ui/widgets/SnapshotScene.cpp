@@ -34,7 +34,7 @@ std::vector<ChartShip> ownShipsOf(const core::World& world, const core::Snapshot
 std::vector<ChartShip> targetsOf(const core::World& world, const core::Snapshot& now) {
     std::vector<ChartShip> ships;
     for (const core::TargetView& target : now.targets) {
-        const core::TargetLayout& layout = world.targets[target.index];
+        const core::TargetLayout& layout = core::targetLayout(world, now, target.index);
         ships.push_back({static_cast<int>(target.index), QString::fromStdString(layout.name), target.position,
                          target.heading_rad, target.speed_mps * core::unitVector(target.heading_rad),
                          layout.length_m, layout.beam_m, layout.behaviour == core::TargetBehaviour::Hostile});

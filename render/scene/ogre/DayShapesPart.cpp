@@ -27,6 +27,12 @@ void DayShapesPart::add(const ShipForm& form, const ShipPose& pose, std::optiona
                         abaft ? own : std::nullopt});
 }
 
+void DayShapesPart::join(const Fleet& fleet, std::size_t fromTarget) {
+    m_targets.resize(fromTarget);
+    for (std::size_t i = fromTarget; i < fleet.targets.size(); ++i)
+        m_targets.push_back(fleet.targets[i].form);
+}
+
 void DayShapesPart::advance(const Frame& frame) {
     m_hoists.clear();
     for (std::size_t i = 0; i < std::min(m_own.size(), frame.moment.ships.size()); ++i)

@@ -14,6 +14,7 @@ public:
     DayShapesPart(const PartContext& context, const ShaderMaterial& solid);
     void advance(const Frame& frame) override;
     void look(const Frame& frame, const View& view) override;
+    void join(const Fleet& fleet, std::size_t fromTarget) override;
 
 private:
     struct Hoist {

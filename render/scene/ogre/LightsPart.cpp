@@ -33,6 +33,12 @@ LightsPart::LightsPart(const PartContext& context, const ShaderMaterial& solid, 
     for (const ShipLook& target : context.fleet.targets) m_targets.push_back(target.form);
 }
 
+void LightsPart::join(const Fleet& fleet, std::size_t fromTarget) {
+    m_targets.resize(fromTarget);
+    for (std::size_t i = fromTarget; i < fleet.targets.size(); ++i)
+        m_targets.push_back(fleet.targets[i].form);
+}
+
 void LightsPart::advance(const Frame& frame) {
     const core::Area& area = frame.world.area;
     for (MarkInSea& m : m_marks) {

@@ -13,6 +13,7 @@ public:
     LightsPart(const PartContext& context, const ShaderMaterial& solid, const SeaPart& sea);
     void advance(const Frame& frame) override;
     void look(const Frame& frame, const View& view) override;
+    void join(const Fleet& fleet, std::size_t fromTarget) override;
 
 private:
     struct MarkInSea {

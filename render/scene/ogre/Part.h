@@ -44,6 +44,11 @@ public:
     virtual ~Part() = default;
     virtual void advance(const Frame& frame) = 0;
     virtual void look(const Frame& frame, const View& view) = 0;
+    /// The targets from the one of that index on look as the fleet says now: some have been added.
+    virtual void join(const Fleet& fleet, std::size_t fromTarget) {
+        (void)fleet;
+        (void)fromTarget;
+    }
 };
 
 /// What is drawn first: the sky last of the solid things, where nothing else is; then what lets light

@@ -3,6 +3,8 @@
 #include <OgreResourceGroupManager.h>
 #include <OgreRoot.h>
 
+#include <algorithm>
+
 #include "render/scene/ogre/DayShapesPart.h"
 #include "render/scene/ogre/LandPart.h"
 #include "render/scene/ogre/LightsPart.h"
@@ -48,7 +50,22 @@ Scene::~Scene() {
     Ogre::ResourceGroupManager::getSingleton().destroyResourceGroup(kSceneGroup);
 }
 
+void Scene::takeIn(const std::vector<core::TargetLayout>& added) {
+    // Those that stay the same stay; who went back in time may find others in their place.
+    const auto differ = std::mismatch(m_added.begin(), m_added.end(), added.begin(), added.end(), looksLike);
+    if (differ.second == added.end()) return;
+    const auto from = m_world->targets.size() + static_cast<std::size_t>(differ.second - added.begin());
+    m_fleet.targets.resize(from);
+    m_added.erase(differ.first, m_added.end());
+    for (auto it = differ.second; it != added.end(); ++it) {
+        m_fleet.targets.push_back(lookOfAdded(*it, m_fleet.targets.size()));
+        m_added.push_back(*it);
+    }
+    for (const auto& part : m_parts) part->join(m_fleet, from);
+}
+
 void Scene::advance(const Moment& moment) {
+    takeIn(moment.added);
     m_moment = moment;
     m_light = skyLight(*m_world, m_moment);
     const Frame frame{*m_world, m_moment, m_light};

@@ -26,11 +26,14 @@ public:
     void look(const Camera& camera, int width, int height);
 
 private:
+    void takeIn(const std::vector<core::TargetLayout>& added);
+
     Host& m_host;
     std::shared_ptr<const core::World> m_world;
     PresetFigures m_figures;
     Ogre::SceneManager* m_scenes;
     Fleet m_fleet;
+    std::vector<core::TargetLayout> m_added;  ///< those at the end of m_fleet.targets
     std::unique_ptr<Materials> m_materials;
     std::vector<std::unique_ptr<Part>> m_parts;
     Moment m_moment;

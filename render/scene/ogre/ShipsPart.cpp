@@ -13,67 +13,78 @@ namespace {
 
 constexpr double kLidWithin_m = 1000.0;
 
-/// Makes the nodes of ships and what hangs on them; a texture is uploaded once a ship.
+/// Makes the nodes of a ship and what hangs on them; a texture is uploaded once a ship.
 class Shipyard {
 public:
-    Shipyard(const PartContext& context, const ShaderMaterial& solid, const ShaderMaterial& textured)
-        : m_context(context),
-          m_solid(solid),
-          m_textured(textured),
-          m_lid(context.materials.make("lid", {.colourWrite = false})) {}
+    Shipyard(Ogre::SceneManager& scenes, Materials& materials) : m_scenes(scenes), m_materials(materials) {}
 
-    Ogre::SceneNode* root() { return m_context.scenes.getRootSceneNode()->createChildSceneNode(); }
+    Ogre::SceneNode* root() { return m_scenes.getRootSceneNode()->createChildSceneNode(); }
     Ogre::SceneNode* hang(Ogre::SceneNode* parent, const std::string& name, const Solid& shape,
-                          const std::vector<TexturedSolid>& textured) {
+                          const ShaderMaterial& solid, const std::vector<TexturedSolid>& textured,
+                          const ShaderMaterial& skinned) {
         Ogre::SceneNode* node = parent->createChildSceneNode();
-        if (!shape.indices.empty()) attach(node, meshOf(name, shape, m_solid.ogre()));
+        if (!shape.indices.empty()) attach(node, meshOf(name, shape, solid.ogre()));
         for (std::size_t i = 0; i < textured.size(); ++i) {
             if (textured[i].solid.indices.empty()) continue;
             const std::string skin = name + "-" + std::to_string(i);
             const auto image = texture(skin, *textured[i].texture);
-            const auto material = m_context.materials.withTexture(m_textured, skin, "u_texture", image);
+            const auto material = m_materials.withTexture(skinned, skin, "u_texture", image);
             attach(node, meshOf(skin, textured[i], material.ogre()));
         }
         return node;
     }
-    Ogre::SceneNode* lay(Ogre::SceneNode* parent, const std::string& name, const Solid& lid) {
+    Ogre::SceneNode* lay(Ogre::SceneNode* parent, const std::string& name, const Solid& shape,
+                         const ShaderMaterial& lid) {
         Ogre::SceneNode* node = parent->createChildSceneNode();
-        if (!lid.indices.empty()) attach(node, meshOf(name, lid, m_lid.ogre()), kLidQueue);
+        if (!shape.indices.empty()) attach(node, meshOf(name, shape, lid.ogre()), kLidQueue);
         return node;
     }
 
 private:
     void attach(Ogre::SceneNode* node, const Ogre::MeshPtr& mesh, Queue queue = kSolidQueue) {
-        auto* entity = m_context.scenes.createEntity(mesh);
+        auto* entity = m_scenes.createEntity(mesh);
         entity->setRenderQueueGroup(queue);
         node->attachObject(entity);
     }
 
-    const PartContext& m_context;
-    const ShaderMaterial& m_solid;
-    const ShaderMaterial& m_textured;
-    ShaderMaterial m_lid;
+    Ogre::SceneManager& m_scenes;
+    Materials& m_materials;
 };
 
 }  // namespace
 
 ShipsPart::ShipsPart(const PartContext& context, const ShaderMaterial& solid, const ShaderMaterial& textured)
-    : m_detailWithin_m(context.figures.detailWithin_m) {
-    Shipyard yard(context, solid, textured);
-    const auto build = [&](const std::string& name, const ShipShape& shape) {
-        Ship ship;
-        ship.node = yard.root();
-        ship.hull = yard.hang(ship.node, name + "-hull", shape.hull, shape.textured.hull);
-        ship.upperworks =
-            yard.hang(ship.node, name + "-upperworks", shape.upperworks, shape.textured.upperworks);
-        ship.detail = yard.hang(ship.node, name + "-detail", shape.detail, shape.textured.detail);
-        ship.lid = yard.lay(ship.node, name + "-lid", shape.lid);
-        return ship;
-    };
+    : m_scenes(context.scenes),
+      m_materials(context.materials),
+      m_solid(solid),
+      m_textured(textured),
+      m_lid(context.materials.make("lid", {.colourWrite = false})),
+      m_detailWithin_m(context.figures.detailWithin_m) {
     for (std::size_t i = 0; i < context.fleet.own.size(); ++i)
         m_own.push_back(build("own-" + std::to_string(i), context.fleet.own[i].shape));
     for (std::size_t i = 0; i < context.fleet.targets.size(); ++i)
         m_targets.push_back(build("target-" + std::to_string(i), context.fleet.targets[i].shape));
+}
+
+ShipsPart::Ship ShipsPart::build(const std::string& name, const ShipShape& shape) {
+    Shipyard yard(m_scenes, m_materials);
+    Ship ship;
+    ship.node = yard.root();
+    ship.hull = yard.hang(ship.node, name + "-hull", shape.hull, m_solid, shape.textured.hull, m_textured);
+    ship.upperworks = yard.hang(ship.node, name + "-upperworks", shape.upperworks, m_solid,
+                                shape.textured.upperworks, m_textured);
+    ship.detail =
+        yard.hang(ship.node, name + "-detail", shape.detail, m_solid, shape.textured.detail, m_textured);
+    ship.lid = yard.lay(ship.node, name + "-lid", shape.lid, m_lid);
+    return ship;
+}
+
+void ShipsPart::join(const Fleet& fleet, std::size_t fromTarget) {
+    // Who is no longer there is only hidden: it is rare, and her meshes go with the scene.
+    for (std::size_t i = fromTarget; i < m_targets.size(); ++i) m_targets[i].node->setVisible(false);
+    m_targets.resize(fromTarget);
+    for (std::size_t i = fromTarget; i < fleet.targets.size(); ++i)
+        m_targets.push_back(build("added-" + std::to_string(++m_joined), fleet.targets[i].shape));
 }
 
 void ShipsPart::advance(const Frame&) {}

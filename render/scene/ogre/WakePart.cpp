@@ -27,8 +27,8 @@ void WakePart::advance(const Frame& frame) {
         add(frame.moment.ships[i], hull.lengthOverall_m, hull.beam_m);
     }
     for (const TargetPose& target : frame.moment.targets) {
-        if (target.index >= frame.world.targets.size()) continue;
-        const core::TargetLayout& layout = frame.world.targets[target.index];
+        if (target.index >= frame.world.targets.size() + frame.moment.added.size()) continue;
+        const core::TargetLayout& layout = core::targetLayout(frame.world, frame.moment.added, target.index);
         add(target, layout.length_m, layout.beam_m);
     }
 }

@@ -49,6 +49,16 @@ private:
 
 }  // namespace
 
+ShipLook lookOfAdded(const core::TargetLayout& target, std::size_t index) {
+    ShipForm form = formOf(target);
+    ShipShape shape = shapeOf(form, static_cast<unsigned>(index));
+    return {std::move(form), std::move(shape)};
+}
+
+bool looksLike(const core::TargetLayout& a, const core::TargetLayout& b) {
+    return a.type == b.type && a.length_m == b.length_m && a.beam_m == b.beam_m && a.draught_m == b.draught_m;
+}
+
 Fleet fleetOf(const core::World& world, const fs::path& assets) {
     Fleet fleet;
     Builder builder(assets, fleet);

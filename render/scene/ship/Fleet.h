@@ -23,6 +23,11 @@ struct Fleet {
     std::vector<std::string> remarks;  ///< for a person: which models could not be used, and why
 };
 
+/// How a target looks that the scenario does not have. `index` as in Moment's targets.
+ShipLook lookOfAdded(const core::TargetLayout& target, std::size_t index);
+/// Whether two of them look alike.
+bool looksLike(const core::TargetLayout& a, const core::TargetLayout& b);
+
 /// `assets` has models/ and pictures/.
 Fleet fleetOf(const core::World& world, const std::filesystem::path& assets);
 

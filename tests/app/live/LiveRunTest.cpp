@@ -23,6 +23,8 @@ protected:
         for (int i = 0; i < 2000 && !done(); ++i) std::this_thread::sleep_for(5ms);
         EXPECT_TRUE(done()) << "not within ten seconds";
     }
+
+    wall::FrameClock clock;
 };
 
 TEST_F(Live, StandsStillUntilItIsStarted) {
@@ -30,7 +32,7 @@ TEST_F(Live, StandsStillUntilItIsStarted) {
     std::this_thread::sleep_for(60ms);
     EXPECT_EQ(run.latest()->tick, 0);
     EXPECT_FALSE(run.running());
-    EXPECT_EQ(run.toDraw().snapshot.tick, 0);
+    EXPECT_EQ(run.toDraw(clock).snapshot.tick, 0);
     run.start();
     waitFor([&] { return run.latest()->tick >= 5; });
 }
@@ -57,7 +59,7 @@ TEST_F(Live, RunsFasterWhenAsked) {
     const auto begin = std::chrono::steady_clock::now();
     waitFor([&] { return run.latest()->tick >= 400; });  // 8 s of the exercise
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 8s);
-    EXPECT_LE(run.toDraw().time, run.latest()->time());
+    EXPECT_LE(run.toDraw(clock).time, run.latest()->time());
 }
 
 TEST_F(Live, CarriesOutOrdersAndTellsWhen) {

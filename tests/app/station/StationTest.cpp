@@ -8,15 +8,20 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
 #include <cstdlib>
+#include <fstream>
 
+#include "app/files/BuildScenario.h"
 #include "app/files/Files.h"
-#include "core/exercise/Recording.h"
+#include "app/station/DeskPage.h"
+#include "core/exercise/Replay.h"
+#include "core/exercise/Session.h"
 #include "db/RunRepository.h"
 #include "ui/start/StartPage.h"
 #include "ui/trainer/RunBar.h"
@@ -52,11 +57,16 @@ protected:
         EXPECT_NE(widget, nullptr) << name;
         return widget;
     }
+    void openLessons() { QTest::mouseClick(find<QPushButton>("door-lesson"), Qt::LeftButton); }
     void openDesk(int row = 0) {
+        openLessons();
         find<QListWidget>("scenarios")->setCurrentRow(row);
         QTest::mouseClick(find<QPushButton>("open"), Qt::LeftButton);
-        ASSERT_NE(m_station->run(), nullptr);
+        ASSERT_NE(page(), nullptr);
     }
+    DeskPage* page() { return dynamic_cast<DeskPage*>(m_station->page()); }
+    StationRun& run() { return page()->run(); }
+    ui::TrainerDesk* desk() { return page()->desk(); }
     bool logSays(const QString& text) {
         auto* const log = find<QListWidget>("log");
         for (int i = 0; i < log->count(); ++i)
@@ -75,39 +85,34 @@ protected:
 };
 
 TEST_F(StationWindow, ListsTheShippedScenariosWithTheirBriefing) {
+    keepPicture("home.png");
+    openLessons();
     auto* const list = find<QListWidget>("scenarios");
     ASSERT_GE(list->count(), 2);
     EXPECT_EQ(list->item(0)->text(), QStringLiteral("Basic Navigation"));
     EXPECT_TRUE(find<QPushButton>("open")->isEnabled());
-    keepPicture("start-page.png");
+    keepPicture("lesson.png");
 }
 
 TEST_F(StationWindow, ARunIsStartedFrozenHastenedAndEnded) {
     openDesk();
     auto* const start = find<QPushButton>("start");
     EXPECT_EQ(start->text(), QStringLiteral("Start"));
-    EXPECT_EQ(m_station->run()->latest()->tick, 0);
+    EXPECT_EQ(run().latest()->tick, 0);
     QTest::mouseClick(start, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return m_station->run()->latest()->tick > 10; }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->tick > 10; }, 10'000));
     auto* const rate = find<QComboBox>("rate");
     rate->setCurrentIndex(rate->findData(20));
-    EXPECT_EQ(m_station->run()->rate(), 20.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return m_station->run()->latest()->time().seconds() > 5.0; }, 10'000));
-    m_station->desk()->refresh();
+    EXPECT_EQ(run().rate(), 20.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 5.0; }, 10'000));
+    desk()->refresh();
     EXPECT_EQ(start->text(), QStringLiteral("Freeze"));
     keepPicture("desk.png");
     QTest::mouseClick(start, Qt::LeftButton);
-    EXPECT_FALSE(m_station->run()->running());
+    EXPECT_FALSE(run().running());
 
-    const fs::path recording = m_station->run()->recording();
-    m_station->endRun();
-    EXPECT_EQ(m_station->run(), nullptr);
-    auto* const result = find<QMessageBox>("result");
-    EXPECT_TRUE(result->text().contains(QStringLiteral("Basic Navigation: not passed")))
-        << result->text().toStdString();
-    if (const char* folder = std::getenv("SAGARA_UI_PICTURES"))
-        result->grab().save(QString::fromUtf8(folder) + QStringLiteral("/result.png"));
-    result->close();
+    const fs::path recording = run().recording();
+    page()->endRun();
     const auto bytes = files::readBinaryFile(recording);
     ASSERT_TRUE(bytes) << bytes.error().message;
     const auto read = core::readRecording(*bytes);
@@ -115,7 +120,6 @@ TEST_F(StationWindow, ARunIsStartedFrozenHastenedAndEnded) {
     EXPECT_TRUE(read->damage.empty()) << read->damage;
     EXPECT_TRUE(read->end.has_value());
     EXPECT_EQ(db::RunRepository(*m_store->database()).list().size(), 1u);
-    EXPECT_EQ(m_station->currentWidget(), m_station->startPage());
 }
 
 TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
@@ -125,43 +129,161 @@ TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
     QTest::mouseClick(find<QPushButton>("event-rain-squall"), Qt::LeftButton);
     EXPECT_FALSE(find<QPushButton>("event-rain-squall")->isEnabled());
     find<QCheckBox>("fault-jam")->setChecked(true);
-    StationRun& run = *m_station->run();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return run.latest()->ships[0].rudderOrder_rad > 0.3; }, 10'000));
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return (m_station->desk()->refresh(), logSays(QStringLiteral("rain squall"))); }, 10'000));
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return (m_station->desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->ships[0].rudderOrder_rad > 0.3; }, 10'000));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return (desk()->refresh(), logSays(QStringLiteral("rain squall"))); }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return (desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); },
+                                10'000));
     QTest::mouseClick(find<QPushButton>("apply-weather"), Qt::LeftButton);
     for (const char* dock : {"events", "helm"}) find<QDockWidget>(dock)->raise();
     keepPicture("desk-events.png");
     auto* const difficulty = find<QComboBox>("difficulty");
     difficulty->setCurrentIndex(4);
     Q_EMIT difficulty->activated(4);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return run.latest()->level == 5; }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->level == 5; }, 10'000));
 }
 
 TEST_F(StationWindow, ThePilotSailsTheLessonFromTheDesk) {
-    find<QListWidget>("scenarios")->setCurrentRow(0);
     RunRequest request;
     request.scenario = "basic-navigation";
     request.pilot = true;
-    ASSERT_FALSE(m_station->open(request));
-    StationRun& run = *m_station->run();
-    run.setRate(20.0);
-    run.start();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return run.latest()->tasks[0].done; }, 60'000));
-    m_station->desk()->refresh();
+    ASSERT_FALSE(m_station->openRun(request));
+    run().setRate(20.0);
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->tasks[0].done; }, 60'000));
+    desk()->refresh();
     EXPECT_TRUE(find<QListWidget>("tasks")->item(0)->text().startsWith(QStringLiteral("✓")));
     keepPicture("desk-under-way.png");
 }
 
+TEST_F(StationWindow, GoesBackAndKeepsWhatWasSailed) {
+    RunRequest request;
+    request.scenario = "basic-navigation";
+    request.pilot = true;
+    ASSERT_FALSE(m_station->openRun(request));
+    run().setRate(20.0);
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 40.0; }, 60'000));
+    const fs::path first = run().recording();
+    Q_EMIT desk()->goBackWanted(15);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().recording() != first; }, 10'000));
+    EXPECT_EQ(run().latest()->tick, 15 * core::kTicksPerSecond);
+    EXPECT_FALSE(run().running());
+    EXPECT_EQ(run().rate(), 20.0);
+    const auto state = run().state();
+    const auto before = core::readRecording(*files::readBinaryFile(first));
+    ASSERT_TRUE(before);
+    EXPECT_TRUE(before->end.has_value());
+    EXPECT_GE(before->endTick, 40 * core::kTicksPerSecond);
+    const auto then = core::stateAt(*run().world(), *before, 15 * core::kTicksPerSecond);
+    ASSERT_TRUE(then);
+    EXPECT_EQ(core::stateHash(state), core::stateHash(*then));
+
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 25.0; }, 60'000));
+    const fs::path second = run().recording();
+    page()->endRun();
+    const auto after = core::readRecording(*files::readBinaryFile(second));
+    ASSERT_TRUE(after) << after.error();
+    EXPECT_TRUE(after->damage.empty()) << after->damage;
+    const auto world = core::worldOf(*after);
+    ASSERT_TRUE(world);
+    const auto replayed = core::replay(**world, *after, after->endTick, [](auto&&...) {});
+    EXPECT_TRUE(replayed) << replayed.error();
+    EXPECT_EQ(db::RunRepository(*m_store->database()).list().size(), 2u);
+}
+
+TEST_F(StationWindow, AnAssessmentDoesNotGoBack) {
+    RunRequest request;
+    request.scenario = "basic-navigation";
+    request.type = "assess";
+    ASSERT_FALSE(m_station->openRun(request));
+    EXPECT_FALSE(find<QPushButton>("go-back")->isEnabled());
+    EXPECT_TRUE(run().goBack(0));
+}
+
+TEST_F(StationWindow, ARunThatWasBrokenOffIsTakenUp) {
+    RunRequest request;
+    request.scenario = "basic-navigation";
+    request.pilot = true;
+    ASSERT_FALSE(m_station->openRun(request));
+    run().setRate(20.0);
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 12.0; }, 60'000));
+    const auto bytes = files::readBinaryFile(run().recording());  // as a killed program leaves it
+    ASSERT_TRUE(bytes);
+    const fs::path broken = m_store->folder().recordings() / "broken.sgr";
+    std::ofstream(broken, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+    auto taken = StationRun::takeUp(*m_store, broken);
+    ASSERT_TRUE(taken) << taken.error();
+    EXPECT_GE((*taken)->latest()->time().seconds(), 10.0);
+    EXPECT_FALSE((*taken)->running());
+    EXPECT_FALSE((*taken)->sailedBefore().empty());
+}
+
+TEST_F(StationWindow, TheNextStartOffersToResume) {
+    const std::string name = "recordings/killed.sgr";
+    {
+        auto world = files::buildScenario(*m_store, "basic-navigation");
+        ASSERT_TRUE(world);
+        const fs::path path = m_store->folder().pathOf(name);
+        run::RunFiling filing(*m_store);
+        const auto header = run::newHeader(**world, 3, "train", "Nimal Perera");
+        std::string trouble;
+        auto file = run::RecordingFile::open(path, 0, trouble);
+        ASSERT_TRUE(file) << trouble;
+        core::RecordingWriter writer([&](std::span<const std::byte> bytes) { file->write(bytes); });
+        core::State start = core::startState(**world, 3);
+        writer.begin(header, **world, start);
+        ASSERT_EQ(filing.begin(filing.newRun(header, **world, path)), "");
+        core::Session session(*world, std::move(start), {}, &writer);
+        for (int i = 0; i < 12 * core::kTicksPerSecond + 7; ++i) (void)session.step();
+    }  // killed: no end
+    Station next(*m_store, render::StageOptions{SAGARA_ASSETS, render::Preset::Low, true});
+    next.show();
+    QApplication::processEvents();
+    auto* const text = next.findChild<QLabel*>(QStringLiteral("notice-text"));
+    ASSERT_NE(text, nullptr);
+    EXPECT_TRUE(text->text().contains(QStringLiteral("Nimal Perera")) &&
+                text->text().contains(QStringLiteral(" 00:12")))
+        << text->text().toStdString();
+    if (const char* folder = std::getenv("SAGARA_UI_PICTURES"))
+        next.grab().save(QString::fromUtf8(folder) + QStringLiteral("/resume.png"));
+    QTest::mouseClick(next.findChild<QPushButton*>(QStringLiteral("resume")), Qt::LeftButton);
+    auto* const desk = dynamic_cast<DeskPage*>(next.page());
+    ASSERT_NE(desk, nullptr);
+    EXPECT_EQ(desk->run().latest()->tick, 12 * core::kTicksPerSecond);
+    EXPECT_EQ(desk->run().header().trainee, "Nimal Perera");
+}
+
+TEST_F(StationWindow, TheWallIsStartedAndStoppedFromTheDesk) {
+    openDesk();
+    auto* const layout = find<QComboBox>("wall-layout");
+    layout->setCurrentIndex(layout->findData(QStringLiteral("single")));
+    find<QComboBox>("wall-placement")->setCurrentIndex(2);
+    QTest::mouseClick(find<QPushButton>("wall-start"), Qt::LeftButton);
+    EXPECT_FALSE(layout->isEnabled());
+    StationWall& wall = page()->wall();
+    const auto inStep = [&] {
+        const auto status = wall.status();
+        return status.channels.size() == 1 && status.channels[0].state == "in step" &&
+               status.channels[0].rate_Hz > 0.0;
+    };
+    ASSERT_TRUE(QTest::qWaitFor(inStep, 60'000)) << wall.status().trouble;
+    find<QDockWidget>("wall")->raise();
+    keepPicture("desk-wall.png");
+    QTest::mouseClick(find<QPushButton>("wall-start"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !wall.status().running; }, 10'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return layout->isEnabled(); }, 5'000));
+}
+
 TEST_F(StationWindow, AfterTheEndNothingCanBeOrdered) {
     openDesk();
-    StationRun& run = *m_station->run();
-    run.give(0, core::FinishOrder{});
+    run().give(0, core::FinishOrder{});
     QTest::mouseClick(find<QPushButton>("start"), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return run.over(); }, 10'000));
-    m_station->desk()->refresh();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().over(); }, 10'000));
+    desk()->refresh();
     EXPECT_FALSE(find<QPushButton>("start")->isEnabled());
     EXPECT_FALSE(find<QSlider>("rudder")->isEnabled());
     EXPECT_FALSE(find<QPushButton>("apply-weather")->isEnabled());
@@ -171,10 +293,10 @@ TEST_F(StationWindow, AfterTheEndNothingCanBeOrdered) {
 TEST_F(StationWindow, AScenarioThatIsNotThereIsAMessage) {
     RunRequest request;
     request.scenario = "nowhere";
-    const auto trouble = m_station->open(request);
+    const auto trouble = m_station->openRun(request);
     ASSERT_TRUE(trouble);
     EXPECT_NE(trouble->find("nowhere"), std::string::npos);
-    EXPECT_EQ(m_station->run(), nullptr);
+    EXPECT_EQ(page(), nullptr);
 }
 
 }  // namespace

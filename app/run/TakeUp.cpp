@@ -1,0 +1,54 @@
+#include "app/run/TakeUp.h"
+
+#include "app/files/Files.h"
+#include "core/exercise/RecordingCut.h"
+#include "core/exercise/Replay.h"
+
+namespace sagara::run {
+namespace {
+
+/// To the end of what is there.
+core::Result<TakenUp, std::string> takenUp(const std::string& name, std::shared_ptr<const core::World> world,
+                                           const core::Recording& recording) {
+    auto state = core::stateAt(*world, recording, recording.endTick);
+    if (!state) return name + ": " + state.error();
+    TakenUp taken;
+    taken.track = recording.track(world->ships.size(), world->targets.size());
+    taken.events = recording.events;
+    taken.world = std::move(world);
+    taken.state = std::move(state).value();
+    taken.header = recording.header;
+    taken.damage = recording.damage;
+    taken.whole_bytes = recording.whole_bytes;
+    return taken;
+}
+
+}  // namespace
+
+core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& path) {
+    const auto bytes = files::readBinaryFile(path);
+    if (!bytes) return bytes.error().message;
+    const auto recording = core::readRecording(*bytes);
+    if (!recording) return path.string() + ": " + recording.error();
+    if (recording->end) return path.string() + ": this run has ended; there is nothing to take up again";
+    auto world = core::worldOf(*recording);
+    if (!world) return world.error().text();
+    auto taken = takenUp(path.string(), std::move(world).value(), *recording);
+    if (!taken) return taken;
+    TakenUp all = std::move(taken).value();
+    all.lost_bytes = bytes->size() - recording->whole_bytes;
+    return all;
+}
+
+core::Result<TakenUp, std::string> takeUpAt(std::shared_ptr<const core::World> world,
+                                            const std::filesystem::path& path, std::int64_t tick) {
+    const auto bytes = files::readBinaryFile(path);
+    if (!bytes) return bytes.error().message;
+    const auto kept = core::bytesUpTo(*bytes, tick);
+    if (!kept) return path.string() + ": the recording does not hold that second";
+    const auto recording = core::readRecording(std::span(*bytes).first(*kept));
+    if (!recording) return path.string() + ": " + recording.error();
+    return takenUp(path.string(), std::move(world), *recording);
+}
+
+}  // namespace sagara::run

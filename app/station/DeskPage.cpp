@@ -1,0 +1,86 @@
+#include "app/station/DeskPage.h"
+
+#include <QMessageBox>
+#include <QVBoxLayout>
+
+#include "app/station/Doors.h"
+#include "ui/trainer/TrainerDesk.h"
+#include "ui/trainer/WallPanel.h"
+
+namespace sagara::station {
+
+DeskPage::DeskPage(Frame& frame, std::unique_ptr<StationRun> run)
+    : m_frame(frame),
+      m_run(std::move(run)),
+      m_wall(std::make_unique<StationWall>(
+          m_run->world(),
+          [r = m_run.get(), clock = wall::FrameClock()]() mutable { return r->momentForWall(clock); })) {
+    setWindowTitle(QString::fromStdString(m_run->world()->scenarioName));
+    auto* const layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    makeDesk();
+}
+
+DeskPage::~DeskPage() {
+    m_console.reset();
+    delete m_desk;  // before the run it looks at
+    m_wall.reset();
+}
+
+void DeskPage::makeDesk() {
+    delete std::exchange(m_desk, nullptr);
+    m_desk = new ui::TrainerDesk(*m_run, m_frame.stageFor(m_run->world()), this);
+    m_desk->addPanel(tr("Wall"), QStringLiteral("wall"), new ui::WallPanel(*m_wall, m_desk));
+    m_desk->setMayGoBack(m_run->mayGoBack());
+    m_desk->setColours(m_frame.colours());
+    std::vector<ui::ChartTrackPoint> sailed;
+    for (const core::TrackSample& s : m_run->sailedBefore())
+        if (s.tick % core::kTicksPerSecond == 0 && !s.ships.empty())
+            sailed.push_back({core::timeOfTick(s.tick).seconds(), s.ships[0].motion.position()});
+    m_desk->showSailed(std::move(sailed));
+    layout()->addWidget(m_desk);
+    connect(m_desk, &ui::TrainerDesk::endWanted, this, [this] {
+        if (QMessageBox::question(this, tr("Sagara"), tr("End the exercise? It is graded as it stands.")) ==
+            QMessageBox::Yes)
+            endRun();
+    });
+    // Queued: the desk that asks is replaced.
+    connect(m_desk, &ui::TrainerDesk::goBackWanted, this, &DeskPage::goBack, Qt::QueuedConnection);
+    connect(m_desk, &ui::TrainerDesk::consoleWanted, this, &DeskPage::openConsole);
+}
+
+void DeskPage::setColours(ui::PaletteName name) {
+    if (m_desk != nullptr) m_desk->setColours(name);
+}
+
+void DeskPage::showEvent(QShowEvent* event) {
+    ui::Page::showEvent(event);
+    m_frame.stageFor(m_run->world());  // another page may have shown another world
+}
+
+void DeskPage::goBack(std::int64_t second) {
+    if (const auto trouble = m_run->goBack(second)) {
+        QMessageBox::warning(this, tr("Sagara"), QString::fromStdString(*trouble));
+        return;
+    }
+    m_console.reset();
+    makeDesk();
+}
+
+void DeskPage::openConsole() {
+    m_console.reset(traineeWindow(m_frame, *m_run));
+    if (m_console) m_console->show();
+}
+
+bool DeskPage::mayLeave() {
+    if (m_run->over()) return true;
+    return QMessageBox::question(this, tr("Sagara"), tr("A run is on. End it and leave?")) ==
+           QMessageBox::Yes;
+}
+
+void DeskPage::endRun() {
+    const run::RunSummary summary = m_run->end();
+    showResult(m_frame, *m_run, summary);
+}
+
+}  // namespace sagara::station

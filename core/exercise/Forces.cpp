@@ -1,0 +1,39 @@
+#include "core/exercise/Forces.h"
+
+#include "core/exercise/TickLoads.h"
+
+namespace sagara::core {
+
+ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
+    const OwnShip& ship = *world.ships[index];
+    const OwnShipState& s = state.ships[index];
+    Actuators actuators;
+    actuators.rudder_rad = s.steering.angle_rad;
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = s.shafts[i].speed_rps;
+    const TickEnvironment environment(world, state);
+    const TickLoads loads(world, state, index, environment);
+    const HullForces own = ship.dynamics.hullForces(s.motion, actuators);
+
+    ShipForces forces;
+    const auto set = [&](ForceCause cause, const Load& l) {
+        forces[static_cast<std::size_t>(cause)] = {
+            .surge_N = l.surge_N, .sway_N = l.sway_N, .yaw_Nm = l.yaw_Nm};
+    };
+    set(ForceCause::Hull, own.hull);
+    set(ForceCause::Rudder, own.rudder);
+    set(ForceCause::Propeller, own.propeller);
+    set(ForceCause::Wind, loads.wind());
+    set(ForceCause::Waves, ship.dynamics.horizontalForce(loads.waves()));
+    set(ForceCause::Lines, loads.lines(s.motion));
+    set(ForceCause::Anchors, loads.anchors(s.motion));
+    set(ForceCause::Contact, loads.contact(s.motion));
+    return forces;
+}
+
+Load sumOf(const ShipForces& forces) {
+    Load sum;
+    for (const Load& force : forces) sum = sum + force;
+    return sum;
+}
+
+}  // namespace sagara::core
