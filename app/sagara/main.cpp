@@ -20,9 +20,11 @@ int main(int argc, char** argv) {
     app.add_option("--data", data, "data folder (else the XDG one)");
     app.add_option("--role", role, "open this door at once: trainer, trainee, practise or admin (any)")
         ->check(CLI::IsMember({"any", "trainer", "trainee", "practise", "admin"}));
-    app.add_flag("--demo", demo, "the exhibition: the pilot sails until somebody takes the helm; left by a chord and a PIN");
-    app.add_option("--scenario", request.scenario,
-                   "open this exercise at once, id or file: the trainer's desk, or the console of --role trainee");
+    app.add_flag("--demo", demo,
+                 "the exhibition: the pilot sails until somebody takes the helm; left by a chord and a PIN");
+    app.add_option(
+        "--scenario", request.scenario,
+        "open this exercise at once, id or file: the trainer's desk, or the console of --role trainee");
     app.add_option("--level", request.level, "its difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
     app.add_option("--trainee", request.trainee, "who sails it");
     app.add_flag("--fullscreen", fullScreen, "cover the monitor");

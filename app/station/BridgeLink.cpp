@@ -11,7 +11,7 @@ constexpr int kSound_ms = 100;
 
 BridgeLink::BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::TraineeConsole& console,
                        ui::ExerciseRun& run)
-    : m_input(input), m_sound(sound), m_run(run) {
+    : QObject(&console), m_input(input), m_sound(sound), m_run(run) {
     const core::Vessel& vessel = run.world()->ships[0]->vessel;
     input.setShip({static_cast<int>(vessel.propulsion.units.size()), vessel.steering.limit_rad});
     input.watchKeys(&console);

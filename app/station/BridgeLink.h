@@ -9,12 +9,13 @@
 
 namespace sagara::station {
 
-/// Joystick, keys, NMEA and sound for one console, as long as this lives.
+/// Joystick, keys, NMEA and sound for one console. The console owns it.
 class BridgeLink final : public QObject {
     Q_OBJECT
 
 public:
-    BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::TraineeConsole& console, ui::ExerciseRun& run);
+    BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::TraineeConsole& console,
+               ui::ExerciseRun& run);
     ~BridgeLink() override;
 
 private:

@@ -60,8 +60,8 @@ core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::sailAgain(run::Store&
     std::string trouble;
     auto file = run::RecordingFile::open(run::newRecordingPath(store, from.world()->scenarioId), 0, trouble);
     if (!file) return trouble;
-    auto leg = std::unique_ptr<RunLeg>(
-        new RunLeg(store, from.world(), std::move(file), std::move(back.run.header)));
+    auto leg =
+        std::unique_ptr<RunLeg>(new RunLeg(store, from.world(), std::move(file), std::move(back.run.header)));
     leg->write(back.recording);
     leg->m_writer.goOn(back.run.state);
     leg->m_filingTrouble = leg->m_filing.begin(leg->m_run);

@@ -3,6 +3,7 @@
 #include <QMessageBox>
 #include <QVBoxLayout>
 
+#include "app/station/BridgeLink.h"
 #include "app/station/Station.h"
 
 namespace sagara::station {
@@ -13,7 +14,7 @@ SailPage::SailPage(Station& station, std::unique_ptr<StationRun> run, ui::Consol
     options.colours = station.colours();
     options.keys = false;  // BridgeLink takes them, as they are mapped
     m_console = new ui::TraineeConsole(*m_run, station.stageFor(m_run->world()), options, this);
-    m_link = std::make_unique<BridgeLink>(station.input(), station.sound(), *m_console, *m_run);
+    new BridgeLink(station.input(), station.sound(), *m_console, *m_run);
     auto* const layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_console);
@@ -23,16 +24,14 @@ SailPage::SailPage(Station& station, std::unique_ptr<StationRun> run, ui::Consol
     });
 }
 
-SailPage::~SailPage() {
-    m_link.reset();
-    delete m_console;  // before the run it looks at
-}
+SailPage::~SailPage() { delete m_console; }  // before the run it looks at
 
 /// A run that has begun is not just left: it ends, and its result takes the place of this page.
 bool SailPage::mayLeave() {
     if (m_run->latest()->tick == 0) return true;
-    if (!m_run->over() && QMessageBox::question(this, tr("Sagara"),
-                                                tr("End the run? It is graded as it stands.")) != QMessageBox::Yes)
+    if (!m_run->over() &&
+        QMessageBox::question(this, tr("Sagara"), tr("End the run? It is graded as it stands.")) !=
+            QMessageBox::Yes)
         return false;
     end();
     return false;

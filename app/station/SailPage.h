@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/station/BridgeLink.h"
 #include "app/station/StationRun.h"
 #include "ui/theme/Page.h"
-#include "ui/trainee/ConsoleOptions.h"
+#include "ui/trainee/TraineeConsole.h"
 
 namespace sagara::station {
 
@@ -24,7 +23,6 @@ public:
     QString helpTopic() const override { return QStringLiteral("console"); }
 
     StationRun& run() { return *m_run; }
-    ui::TraineeConsole& console() { return *m_console; }
     /// Ends the run and shows what came of it.
     void end();
 
@@ -33,7 +31,6 @@ private:
     std::unique_ptr<StationRun> m_run;
     Ended m_ended;
     ui::TraineeConsole* m_console;
-    std::unique_ptr<BridgeLink> m_link;
 };
 
 }  // namespace sagara::station

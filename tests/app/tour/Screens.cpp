@@ -31,12 +31,11 @@ void Screens::keep(const QString& name) {
         for (const ui::PaletteName palette : m_look.palettes) {
             m_station.setColours(palette);
             settle();
-            const QString file =
-                QStringLiteral("%1/%2-%3x%4-%5.png")
-                    .arg(QString::fromStdString(m_look.folder.string()), name)
-                    .arg(wanted.width())
-                    .arg(wanted.height())
-                    .arg(QString::fromLatin1(kPalettes[static_cast<int>(palette)]));
+            const QString file = QStringLiteral("%1/%2-%3x%4-%5.png")
+                                     .arg(QString::fromStdString(m_look.folder.string()), name)
+                                     .arg(wanted.width())
+                                     .arg(wanted.height())
+                                     .arg(QString::fromLatin1(kPalettes[static_cast<int>(palette)]));
             if (m_station.grab().save(file))
                 ++m_pictures;
             else
@@ -52,7 +51,8 @@ void Screens::keepWindow(QWidget* window, const QString& name) {
     settle();
     std::printf("  %s\n", qPrintable(name));
     if (m_look.folder.empty()) return;
-    const QString file = QStringLiteral("%1/%2.png").arg(QString::fromStdString(m_look.folder.string()), name);
+    const QString file =
+        QStringLiteral("%1/%2.png").arg(QString::fromStdString(m_look.folder.string()), name);
     if (window->grab().save(file)) ++m_pictures;
 }
 
