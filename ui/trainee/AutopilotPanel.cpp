@@ -17,6 +17,7 @@ AutopilotPanel::AutopilotPanel(ExerciseRun& run, std::uint8_t ship, QWidget* par
     : QWidget(parent),
       m_run(run),
       m_ship(ship),
+      m_mode(new QLabel(tr("Steering"), this)),
       m_hand(new QPushButton(tr("Hand"), this)),
       m_heading(new QPushButton(tr("Autopilot"), this)),
       m_set(new QSpinBox(this)) {
@@ -39,7 +40,7 @@ AutopilotPanel::AutopilotPanel(ExerciseRun& run, std::uint8_t ship, QWidget* par
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(4, 4, 4, 4);
     grid->setSpacing(4);
-    grid->addWidget(new QLabel(tr("Steering"), this), 0, 0, 1, 4);
+    grid->addWidget(m_mode, 0, 0, 1, 4);
     grid->addWidget(m_hand, 1, 0, 1, 4);
     grid->addWidget(m_heading, 2, 0, 1, 4);
     grid->addWidget(m_set, 3, 0, 1, 4);
@@ -72,10 +73,16 @@ void AutopilotPanel::engage() {
 
 void AutopilotPanel::show(const core::OwnShipView& ship, const ShipReadings& readings) {
     m_convergence_rad = readings.convergence_rad;
+    const QString mode = ship.pilotEngaged                                     ? tr("Pilot has the ship")
+                         : ship.autopilot.mode == core::AutopilotMode::Track   ? tr("Steering: track")
+                         : ship.autopilot.mode == core::AutopilotMode::Heading ? tr("Steering: heading")
+                                                                               : tr("Steering: hand");
+    if (m_mode->text() != mode) m_mode->setText(mode);
     if (!m_run.running()) return;
     m_on = ship.autopilot.mode == core::AutopilotMode::Heading;
-    m_heading->setChecked(m_on);
-    m_hand->setChecked(!m_on);
+    const bool track = ship.autopilot.mode == core::AutopilotMode::Track;
+    m_heading->setChecked(m_on || track);
+    m_hand->setChecked(ship.autopilot.mode == core::AutopilotMode::Off);
     if (m_on || m_set->hasFocus()) return;
     const QSignalBlocker quiet(m_set);  // ready to hold what she heads now
     m_set->setValue(static_cast<int>(std::lround(readings.heading_rad / core::kDegree_rad)) % 360);

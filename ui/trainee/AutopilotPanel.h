@@ -5,6 +5,7 @@
 #include "ui/run/ExerciseRun.h"
 #include "ui/trainee/ShipReadings.h"
 
+class QLabel;
 class QPushButton;
 class QSpinBox;
 
@@ -24,6 +25,7 @@ private:
 
     ExerciseRun& m_run;
     std::uint8_t m_ship;
+    QLabel* m_mode;
     QPushButton *m_hand, *m_heading;
     QSpinBox* m_set;  ///< degrees, true
     double m_convergence_rad = 0.0;

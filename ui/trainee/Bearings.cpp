@@ -1,6 +1,7 @@
 #include "ui/trainee/Bearings.h"
 
 #include <QEvent>
+#include <QFontInfo>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPainter>
@@ -45,7 +46,7 @@ BearingList::BearingList(QWidget* parent)
     side->addStretch();
     row->addLayout(side);
     auto* const hint = new QListWidgetItem(tr("Click an object in the view to take its bearing."), m_list);
-    hint->setFlags(Qt::NoItemFlags);
+    hint->setFlags(Qt::ItemIsEnabled);
     m_remove->setEnabled(false);
     connect(m_remove, &QPushButton::clicked, this, &BearingList::removeChosen);
 }
@@ -101,7 +102,7 @@ void BearingOverlay::paintEvent(QPaintEvent*) {
     painter.setClipRect(QRectF(QPointF(), shown));
     const ChartPalette& colours = chartPalette(m_chart.colours());
     QFont letters = font();
-    letters.setPixelSize(12);
+    letters.setPixelSize(QFontInfo(font()).pixelSize());
     painter.setFont(letters);
     for (const Bearing& b : m_bearings) {
         const QPointF from = m_chart.view().toScreen(b.from);

@@ -1,5 +1,6 @@
 #include "ui/trainee/Gauge.h"
 
+#include <QFontInfo>
 #include <QPolygonF>
 #include <QTransform>
 #include <algorithm>
@@ -25,7 +26,7 @@ QRectF Gauge::drawFrame(QPainter& painter) const {
     painter.setPen(QPen(colours().line, 1.0));
     painter.setBrush(colours().surface);
     painter.drawRoundedRect(box, 4.0, 4.0);
-    const double letters_px = std::clamp(12.0 * unit(), 11.0, 22.0);
+    const double letters_px = QFontInfo(font()).pixelSize();
     const QRectF title(box.left() + 7.0, box.top() + 3.0, box.width() - 14.0, 1.35 * letters_px);
     drawWords(painter, title, Qt::AlignLeft | Qt::AlignVCenter, m_title, letters_px, colours().quietText);
     return box.adjusted(7.0, 4.0 + 1.35 * letters_px, -7.0, -4.0);

@@ -62,10 +62,10 @@ void HeadingGauge::drawTape(QPainter& painter, const QRectF& box) const {
 
 void HeadingGauge::drawTurn(QPainter& painter, const QRectF& box) const {
     const double turn_degpmin = 60.0 * degrees(m_turn_radps);
-    const QRectF words(box.right() - 44.0 * unit(), box.top(), 44.0 * unit(), box.height());
+    const QRectF words(box.right() - 66.0 * unit(), box.top(), 66.0 * unit(), box.height());
     drawWords(painter, words, Qt::AlignRight | Qt::AlignVCenter, tr("%1°/min").arg(sided(turn_degpmin, 0)),
               13.0 * unit(), colours().text, true);
-    const QRectF bar(box.left(), box.center().y() - 3.5 * unit(), box.width() - 48.0 * unit(), 7.0 * unit());
+    const QRectF bar(box.left(), box.center().y() - 3.5 * unit(), box.width() - 70.0 * unit(), 7.0 * unit());
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours().section);
     painter.drawRect(bar);

@@ -1,5 +1,6 @@
 #include "ui/trainee/ShaftTelegraph.h"
 
+#include <QFontInfo>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -75,7 +76,7 @@ void ShaftTelegraph::moveBy(int steps) {
 }
 
 QRectF ShaftTelegraph::track() const {
-    return {10.0 * unit(), 19.0 * unit(), 12.0 * unit(), height() - 33.0 * unit()};
+    return {0.13 * width(), 23.0 * unit(), 0.16 * width(), height() - 35.0 * unit()};
 }
 
 double ShaftTelegraph::yOf(double step) const {
@@ -108,25 +109,32 @@ void ShaftTelegraph::paintEvent(QPaintEvent*) {
     const double row = t.height() / static_cast<double>(core::kTelegraphSteps);
     for (int step = 0; step <= kLast; ++step) {
         const bool chosen = step == static_cast<int>(m_step);
-        const QRectF words(t.right() + 9.0 * unit(), yOf(step) - 0.5 * row,
-                           width() - t.right() - 13.0 * unit(), row);
+        const QRectF words(0.42 * width(), yOf(step) - 0.5 * row, 0.55 * width(), row);
         if (chosen) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(colours().selected);
-            painter.drawRoundedRect(words.adjusted(-3.0 * unit(), 0.5, 0.0, -0.5), 2.0, 2.0);
+            painter.drawRoundedRect(words.adjusted(-0.03 * width(), 0.5, 0.0, -0.5), 2.0, 2.0);
         }
         const QColor plain = step == 4 ? colours().text : colours().quietText;
         drawWords(painter, words, Qt::AlignLeft | Qt::AlignVCenter, names[static_cast<std::size_t>(step)],
-                  0.8 * row, chosen ? colours().onSelected : plain, chosen);
+                  0.74 * row, chosen ? colours().onSelected : plain, chosen);
     }
     const double y = yOf(static_cast<int>(m_step));
     painter.setPen(QPen(hasFocus() ? colours().focus : colours().surface, hasFocus() ? 2.0 : 1.0));
     painter.setBrush(colours().setValue);
     painter.drawRoundedRect(
-        QRectF(t.left() - 4.0 * unit(), y - 3.5 * unit(), t.width() + 8.0 * unit(), 7.0 * unit()), 3.0, 3.0);
-    drawWords(painter, QRectF(4.0, height() - 13.5 * unit(), width() - 8.0, 11.0 * unit()), Qt::AlignCenter,
-              tr("%1 rpm").arg(QString::number(std::lround(m_speed_rps / core::kRpm_rps))), 10.0 * unit(),
+        QRectF(t.left() - 0.06 * width(), y - 3.5 * unit(), t.width() + 0.12 * width(), 7.0 * unit()), 3.0,
+        3.0);
+    const double letters = QFontInfo(font()).pixelSize();
+    const QRectF top(0.36 * width(), 3.0, 0.6 * width(), 1.5 * letters);
+    drawWords(painter, top, Qt::AlignRight | Qt::AlignVCenter,
+              tr("%1 rpm").arg(QString::number(std::lround(m_speed_rps / core::kRpm_rps))), letters,
               colours().text, true);
+    const QRectF side(0.05 * width(), 0.0, 0.9 * width(), 10.0 * unit());
+    drawWords(painter, side.translated(0.0, t.top() - 10.5 * unit()), Qt::AlignLeft | Qt::AlignVCenter,
+              tr("ahead"), 0.9 * letters, colours().quietText);
+    drawWords(painter, side.translated(0.0, t.bottom() + 0.5 * unit()), Qt::AlignLeft | Qt::AlignVCenter,
+              tr("astern"), 0.9 * letters, colours().quietText);
 }
 
 void ShaftTelegraph::take(QPointF p) {

@@ -89,9 +89,8 @@ void SonarView::drawSector(QPainter& painter, const QRectF& box) {
         const double r = 0.25 * ring * radius;
         painter.setPen(QPen(c.ring, 1.0));
         painter.drawArc(QRectF(origin - QPointF(r, r), QSizeF(2.0 * r, 2.0 * r)), 16 * 45, 16 * 90);
-        const QPointF at = origin + r * QPointF(kSide, -kSide);
-        drawWords(painter, QRectF(at.x() - 40.0, at.y() + 1.0, 56.0, 1.4 * letters),
-                  Qt::AlignRight | Qt::AlignTop, tr("%1 m").arg(0.25 * ring * m_picture.range_m, 0, 'f', 0),
+        drawWords(painter, QRectF(origin.x() + 3.0, origin.y() - r + 1.0, 60.0, 1.4 * letters),
+                  Qt::AlignLeft | Qt::AlignTop, tr("%1 m").arg(0.25 * ring * m_picture.range_m, 0, 'f', 0),
                   letters, c.scale);
     }
     painter.setPen(QPen(c.ring, 1.0));

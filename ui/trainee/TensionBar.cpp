@@ -1,5 +1,6 @@
 #include "ui/trainee/TensionBar.h"
 
+#include <QFontInfo>
 #include <algorithm>
 
 #include "ui/chart/Format.h"
@@ -8,11 +9,13 @@ namespace sagara::ui::console {
 
 TensionBar::TensionBar(double breaking_N, QWidget* parent)
     : Gauge(tr("Tension"), 4.0, parent), m_breaking_N(breaking_N) {
-    setMinimumSize(60, 18);
+    setMinimumSize(0, 0);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setToolTip(tr("Tension in kN; the whole bar is the breaking load of %1 kN")
                    .arg(chart::number(breaking_N / 1000.0, 0)));
 }
+
+QSize TensionBar::sizeHint() const { return {80, fontMetrics().height() + 8}; }
 
 void TensionBar::setTension(double tension_N) {
     if (tension_N == m_tension_N) return;
@@ -32,7 +35,7 @@ void TensionBar::paintEvent(QPaintEvent*) {
     painter.drawRect(box);
     const QRectF words = box.adjusted(4.0, 0.0, -4.0, 0.0);
     drawWords(painter, words, part >= 0.5 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter,
-              tr("%1 kN").arg(chart::number(m_tension_N / 1000.0, 0)), 0.78 * box.height(), ink);
+              tr("%1 kN").arg(chart::number(m_tension_N / 1000.0, 0)), QFontInfo(font()).pixelSize(), ink);
 }
 
 }  // namespace sagara::ui::console

@@ -9,6 +9,8 @@ class TensionBar final : public Gauge {
 public:
     explicit TensionBar(double breaking_N, QWidget* parent = nullptr);
     void setTension(double tension_N);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
     void paintEvent(QPaintEvent*) override;

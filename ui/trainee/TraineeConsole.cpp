@@ -26,6 +26,7 @@
 #include "ui/trainee/ShipReadings.h"
 #include "ui/trainee/SoundingPage.h"
 #include "ui/trainee/ViewPanel.h"
+#include "ui/widgets/ChartWidget.h"
 
 namespace sagara::ui {
 namespace {
@@ -50,6 +51,7 @@ TraineeConsole::TraineeConsole(ExerciseRun& run, render::Stage* stage, const Con
       m_beat(new QTimer(this)) {
     const core::World& world = *run.world();
     setObjectName(QStringLiteral("console"));
+    setMinimumSize(960, 600);  // its contents grow and shrink with it
     setWindowTitle(tr("%1 - bridge of %2")
                        .arg(QString::fromStdString(world.scenarioName),
                             QString::fromStdString(world.ships[options.ship]->name)));
@@ -286,10 +288,13 @@ void TraineeConsole::resizeEvent(QResizeEvent* event) {
     m_instruments->setFixedHeight(static_cast<int>(kInstruments_px * unit));
     m_controls->setFixedHeight(static_cast<int>(kControls_px * unit));
     m_controls->setUnit(unit);
-    QFont letters = font();
-    letters.setPixelSize(
-        static_cast<int>(std::lround(kLetters_px * std::max(1.0, 1.0 + 0.6 * (times - 1.0)))));
-    if (letters != font()) setFont(letters);
+    const auto letters =
+        static_cast<int>(std::lround(kLetters_px * std::max(1.0, 1.0 + 0.6 * (times - 1.0))));
+    if (letters == m_letters_px) return;
+    m_letters_px = letters;
+    setStyleSheet(
+        QStringLiteral("* { font-size: %1px; }").arg(letters));  // a font is not handed down past the theme
+    m_chart->chart().setLetterSize(letters);
 }
 
 void TraineeConsole::keyPressEvent(QKeyEvent* event) {

@@ -101,6 +101,7 @@ private:
     console::ControlRow* m_controls;
     QTimer* m_frames;
     QTimer* m_beat;
+    int m_letters_px = 0;
     double m_look_radps = 0.0;
     double m_lastRudder_rad = 0.0;
     core::SimTime m_lastRudderAt{-1};
