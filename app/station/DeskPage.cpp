@@ -33,7 +33,8 @@ DeskPage::~DeskPage() {
 void DeskPage::makeDesk() {
     delete std::exchange(m_desk, nullptr);
     m_desk = new ui::TrainerDesk(*m_run, m_station.stageFor(m_run->world()), this);
-    m_desk->addPanel(tr("Wall"), QStringLiteral("wall"), new ui::WallPanel(*m_wall, m_desk));
+    m_desk->addPanel(QStringLiteral("wall"), tr("Wall"), QStringLiteral("view-gallery-google"),
+                     new ui::WallPanel(*m_wall, m_desk));
     m_desk->setMayGoBack(m_run->mayGoBack());
     m_desk->setColours(m_station.colours());
     std::vector<ui::ChartTrackPoint> sailed;

@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
@@ -135,7 +134,7 @@ TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return (desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); },
                                 10'000));
     QTest::mouseClick(find<QPushButton>("apply-weather"), Qt::LeftButton);
-    for (const char* dock : {"events", "helm"}) find<QDockWidget>(dock)->raise();
+    desk()->showPanel(QStringLiteral("events"));
     keepPicture("desk-events.png");
     auto* const difficulty = find<QComboBox>("difficulty");
     difficulty->setCurrentIndex(4);
@@ -292,7 +291,7 @@ TEST_F(StationWindow, TheWallIsStartedAndStoppedFromTheDesk) {
                status.channels[0].rate_Hz > 0.0;
     };
     ASSERT_TRUE(QTest::qWaitFor(inStep, 60'000)) << wall.status().trouble;
-    find<QDockWidget>("wall")->raise();
+    desk()->showPanel(QStringLiteral("wall"));
     keepPicture("desk-wall.png");
     QTest::mouseClick(find<QPushButton>("wall-start"), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !wall.status().running; }, 10'000));
