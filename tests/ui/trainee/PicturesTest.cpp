@@ -1,6 +1,7 @@
 // Pictures of the console with its view, to be looked at: SAGARA_UI_PICTURES=FOLDER.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include "tests/support/exercise/Lesson.h"
 #include "ui/theme/Theme.h"
 #include "ui/trainee/TraineeConsole.h"
+#include "ui/trainee/ViewPanel.h"
 
 namespace sagara::ui {
 namespace {
