@@ -78,6 +78,7 @@ TEST_F(DoorToTheConsole, GivesAWindowWithHelpThatClosesItself) {
     EXPECT_TRUE(console->isVisible());
     EXPECT_TRUE(console->isWindow());
     console->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(console.data(), 5000));
     QTest::keyClick(console.data(), Qt::Key_F1);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return console->findChild<QWidget*>(QStringLiteral("console-help")) != nullptr; }, 5000));

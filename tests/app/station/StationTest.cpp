@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -132,7 +131,7 @@ TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return (m_station->desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); }, 10'000));
     QTest::mouseClick(find<QPushButton>("apply-weather"), Qt::LeftButton);
-    for (const char* dock : {"events", "helm"}) find<QDockWidget>(dock)->raise();
+    m_station->desk()->showPanel(QStringLiteral("events"));
     keepPicture("desk-events.png");
     auto* const difficulty = find<QComboBox>("difficulty");
     difficulty->setCurrentIndex(4);
