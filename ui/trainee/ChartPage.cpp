@@ -1,9 +1,7 @@
 #include "ui/trainee/ChartPage.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFutureWatcher>
-#include <QMessageBox>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -11,9 +9,10 @@
 #include <utility>
 
 #include "core/exercise/Prediction.h"
+#include "ui/run/RunTexts.h"
 #include "ui/trainee/AisTargets.h"
-#include "ui/trainee/ChartSheet.h"
 #include "ui/widgets/ChartWidget.h"
+#include "ui/widgets/PrintChart.h"
 #include "ui/widgets/SnapshotScene.h"
 
 namespace sagara::ui::console {
@@ -68,10 +67,10 @@ void ChartPage::addTools(QToolBar& bar) {
          ChartTools::Tool::RangeBearing);
     tool(tr("Rule"), tr("Parallel rule: lay it along, drag it over; Esc ends"),
          ChartTools::Tool::ParallelRule);
-    QAction* const print = bar.addAction(tr("Print..."), this, &ChartPage::saveSheet);
+    QAction* const print = bar.addAction(tr("Print..."), this, &ChartPage::print);
     print->setObjectName(QStringLiteral("chart-print"));
-    print->setToolTip(
-        tr("The chart of the area with compass rose and graticule as PDF, A3, to print and plot on"));
+    print->setToolTip(tr(
+        "What the chart shows now on paper or as PDF, with compass rose, graticule and scale, to plot on"));
 }
 
 void ChartPage::setColours(PaletteName name) { m_chart->setColours(name); }
@@ -117,21 +116,12 @@ void ChartPage::predict() {
     }));
 }
 
-void ChartPage::saveSheet() {
-    const QString name = QString::fromStdString(m_run.world()->area.id) + QStringLiteral("-chart.pdf");
-    auto* const dialog = new QFileDialog(this, tr("Save the chart as PDF"), name, tr("PDF (*.pdf)"));
-    dialog->setObjectName(QStringLiteral("chart-file"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("pdf"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        chart::Extent extent;
-        for (const auto& waypoint : m_run.world()->route.waypoints) extent.include(waypoint.position);
-        extent.include(m_run.latest()->ships[m_ship].motion.position());
-        if (const QString trouble = writeChartSheet(*m_prepared, extent, path); !trouble.isEmpty())
-            QMessageBox::warning(this, tr("The chart was not saved"), trouble);
-    });
-    dialog->open();
+void ChartPage::print() {
+    const core::World& world = *m_run.world();
+    askAndPrint(this, sheetOf(*m_chart, QString::fromStdString(world.scenarioName),
+                              tr("%1, %2 local")
+                                  .arg(QString::fromStdString(world.area.name),
+                                       localTime(world, m_run.latest()->time()))));
 }
 
 }  // namespace sagara::ui::console

@@ -32,8 +32,8 @@ public:
     ChartWidget& chart() { return *m_chart; }
 
 public Q_SLOTS:
-    /// Asks for a file and writes the chart as PDF.
-    void saveSheet();
+    /// Asks where to: a printer or a PDF.
+    void print();
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -75,7 +75,7 @@ void ControlRow::setColours(PaletteName name) {
 }
 
 void ControlRow::setUnit(double unit) {
-    for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->setFixedWidth(static_cast<int>(112.0 * unit));
+    for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->setFixedWidth(static_cast<int>(124.0 * unit));
     m_wheel->setFixedWidth(static_cast<int>(270.0 * unit));
     m_autopilot->setFixedWidth(static_cast<int>(140.0 * unit));
 }

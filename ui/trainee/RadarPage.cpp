@@ -2,10 +2,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -41,16 +41,10 @@ RadarPage::RadarPage(const core::World& world, std::size_t ship, QWidget* parent
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     row->addWidget(m_view, 1);
-    auto* const panel = new QWidget;
+    auto* const panel = new QWidget(this);
     addControls(panel);
-    auto* const scroll = new QScrollArea(this);
-    scroll->setWidget(panel);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(panel->sizeHint().width() + 4);
-    scroll->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
-    row->addWidget(scroll);
+    panel->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    row->addWidget(panel);
     connect(m_view, &RadarView::cursorMoved, this, &RadarPage::showCursor);
     connect(m_view, &RadarView::toolsMoved, this, &RadarPage::showTools);
     connect(m_view, &RadarView::rangeStepped, this, [this](int steps) {
@@ -120,9 +114,14 @@ void RadarPage::addControls(QWidget* panel) {
     m_cursor->setObjectName(QStringLiteral("radar-cursor"));
     column->addWidget(new QLabel(tr("Cursor"), panel));
     column->addWidget(m_cursor);
-    m_cursor->setMinimumWidth(
-        m_cursor->fontMetrics().horizontalAdvance(QStringLiteral("000°T  S 000° rel.  ")));
     column->addStretch();
+}
+
+/// Room for the longest reading, so that the screen does not jump with the cursor.
+void RadarPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        m_cursor->setMinimumWidth(m_cursor->fontMetrics().horizontalAdvance(tr("000°T  P 000° rel.  ")));
 }
 
 void RadarPage::setColours(PaletteName name) { m_view->setColours(name); }

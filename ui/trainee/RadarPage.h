@@ -24,6 +24,9 @@ public:
     RadarView& view() { return *m_view; }
     double range_m() const { return m_scanner.picture().range_m; }
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void setRange(int index);
     void showTools();

@@ -17,7 +17,6 @@ namespace {
 constexpr std::uint32_t kOutside = 0xffffffffU;
 constexpr unsigned kCellBits = 10;
 static_assert(core::RadarPicture::kCells == 1U << kCellBits);
-constexpr double kMargin_px = 20.0;  ///< for the bearing scale
 constexpr double kGrab_px = 8.0;
 constexpr double kAfterglow = 0.45;  ///< of the brightness is lost within a turn
 
@@ -97,7 +96,10 @@ double RadarView::headingUp_rad() const {
 
 QPointF RadarView::centre() const { return QRectF(rect()).center(); }
 
-double RadarView::radius_px() const { return 0.5 * std::min(width(), height()) - kMargin_px; }
+/// Round the screen, for the bearing scale.
+double RadarView::margin_px() const { return std::max(20.0, 0.03 * std::min(width(), height())); }
+
+double RadarView::radius_px() const { return 0.5 * std::min(width(), height()) - margin_px(); }
 
 RadarView::Polar RadarView::polarAt(QPointF p) const {
     const QPointF d = p - centre();
@@ -168,7 +170,7 @@ void RadarView::drawScale(QPainter& painter) const {
     const RadarColours& c = radarColours(m_palette);
     const double r = radius_px();
     QFont letters = font();
-    letters.setPixelSize(std::clamp(static_cast<int>(0.035 * r), 9, 16));
+    letters.setPixelSize(std::clamp(static_cast<int>(0.035 * r), 9, 26));
     painter.setFont(letters);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(c.scale, 1.2));
@@ -180,8 +182,8 @@ void RadarView::drawScale(QPainter& painter) const {
         const double tick = deg % 30 == 0 ? 7.0 : deg % 10 == 0 ? 5.0 : 3.0;
         painter.drawLine(centre() + r * out, centre() + (r + tick) * out);
         if (deg % 30 != 0) continue;
-        const QPointF at = centre() + (r + 0.72 * kMargin_px) * out;
-        painter.drawText(QRectF(at - QPointF(20.0, 10.0), QSizeF(40.0, 20.0)), Qt::AlignCenter,
+        const QPointF at = centre() + (r + 0.72 * margin_px()) * out;
+        painter.drawText(QRectF(at - QPointF(40.0, 20.0), QSizeF(80.0, 40.0)), Qt::AlignCenter,
                          QStringLiteral("%1").arg(deg, 3, 10, QLatin1Char('0')));
     }
     if (m_rings) {

@@ -62,6 +62,7 @@ protected:
 
 private:
     QPointF centre() const;
+    double margin_px() const;
     double radius_px() const;
     void makeTable(int side);
     void drawEchoes(QPainter& painter);

@@ -32,7 +32,7 @@ void SpeedGauge::paintEvent(QPaintEvent*) {
     const auto column = [&](double left, const QString& name, double speed_mps, const QString& below) {
         const QRectF at(left, box.top(), half - 6.0, box.height());
         drawWords(painter, QRectF(at.left(), at.top(), at.width(), 14.0 * unit()),
-                  Qt::AlignLeft | Qt::AlignVCenter, name, 12.0 * unit(), colours().quietText);
+                  Qt::AlignLeft | Qt::AlignVCenter, name, 10.5 * unit(), colours().quietText);
         drawWords(painter, QRectF(at.left(), at.top() + 15.0 * unit(), at.width(), 34.0 * unit()),
                   Qt::AlignLeft | Qt::AlignVCenter, chart::number(speed_mps / core::kKnot_mps, 1),
                   32.0 * unit(), colours().text, true);

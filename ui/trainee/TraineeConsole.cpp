@@ -263,6 +263,7 @@ void TraineeConsole::showState() {
                                            : tr("Waiting for the trainer to start");
     else if (m_run.rate() > 1.05)
         text = tr("%1 times as fast").arg(m_run.rate(), 0, 'f', 0);
+    if (m_options.showRunControls && !m_run.trouble().empty()) text = QString::fromStdString(m_run.trouble());
     if (m_state->text() != text) m_state->setText(text);
     m_state->setVisible(!text.isEmpty());
 }

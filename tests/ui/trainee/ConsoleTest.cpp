@@ -1,17 +1,20 @@
 // The trainee's console driven as a trainee would, without a display and without the scene.
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QToolButton>
 
 #include "SteppedRun.h"
@@ -272,6 +275,21 @@ TEST_F(TraineesConsole, ItsChartHasOnlyShipsThatSendAis) {
         EXPECT_GE(ship.length_m, core::kAisLength_m) << ship.name.toStdString();
         EXPECT_FALSE(ship.hostile);
     }
+}
+
+TEST_F(TraineesConsole, TheChartCanBePrinted) {
+    takeWatch();
+    bool asked = false;
+    QTimer::singleShot(0, [&] {
+        for (QWidget* window : QApplication::topLevelWidgets()) {
+            auto* const box = qobject_cast<QMessageBox*>(window);
+            if (box == nullptr || box->objectName() != QStringLiteral("print-chart")) continue;
+            asked = true;
+            box->reject();
+        }
+    });
+    find<QAction>("chart-print")->trigger();
+    EXPECT_TRUE(asked);
 }
 
 TEST_F(TraineesConsole, IsFixedOnceTheExerciseIsOver) {

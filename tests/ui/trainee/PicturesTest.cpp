@@ -1,6 +1,7 @@
 // Pictures of the console with its view, to be looked at: SAGARA_UI_PICTURES=FOLDER.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include "tests/support/exercise/Lesson.h"
 #include "ui/theme/Theme.h"
 #include "ui/trainee/TraineeConsole.h"
+#include "ui/trainee/ViewPanel.h"
 
 namespace sagara::ui {
 namespace {
@@ -54,6 +56,21 @@ TEST(ConsolePictures, EveryTabByDayAndNightAtEverySize) {
         run.sail(5.0);
         console.refresh();
     }
+    colours(PaletteName::Day);
+    run.give(0, core::FaultOrder{core::Fault::Engine, 0, false});
+    run.give(0, core::FaultOrder{core::Fault::SteeringPump, 1, false});
+    run.sail(1.0);
+    auto* const view = console.findChild<console::ViewPanel*>();
+    for (const double bearing_rad : {0.2, 1.1, -0.7}) Q_EMIT view->bearingTaken(bearing_rad);
+    deck->setCurrentIndex(2);
+    keep(QStringLiteral("console-alarms-day"));
+    tabs->setCurrentIndex(1);
+    console.findChild<QAbstractButton*>(QStringLiteral("radar-ebl"))->click();
+    console.findChild<QAbstractButton*>(QStringLiteral("radar-vrm"))->click();
+    console.findChild<QComboBox*>(QStringLiteral("radar-range"))->setCurrentIndex(4);
+    console.findChild<QComboBox*>(QStringLiteral("radar-up"))->setCurrentIndex(1);
+    colours(PaletteName::Dusk);
+    keep(QStringLiteral("console-radar-dusk"));
     for (const auto& [name, word] :
          {std::pair{PaletteName::Day, "day"}, std::pair{PaletteName::Night, "night"}}) {
         colours(name);

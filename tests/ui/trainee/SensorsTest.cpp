@@ -3,13 +3,10 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "SteppedRun.h"
 #include "tests/support/exercise/Lesson.h"
-#include "ui/trainee/ChartSheet.h"
 #include "ui/trainee/RadarPage.h"
 #include "ui/trainee/ShipAlarms.h"
 #include "ui/trainee/ShipReadings.h"
@@ -152,23 +149,6 @@ TEST_F(RadarOfTheLesson, APictureCostsLittle) {
                 sweep_ms);
     EXPECT_LT(paint_ms, 50.0) << "10 ms on an idle machine";
     EXPECT_LT(sweep_ms, 50.0);
-}
-
-TEST(PrintedChart, IsAPdfOfTheArea) {
-    const auto world = test::lessonWorld();
-    const auto chart = prepareChart(std::shared_ptr<const core::Area>(world, &world->area), 4.0);
-    QTemporaryDir folder;
-    const char* keep = std::getenv("SAGARA_UI_PICTURES");
-    const QString path =
-        (keep != nullptr ? QString::fromUtf8(keep) : folder.path()) + QStringLiteral("/chart.pdf");
-    chart::Extent about;
-    for (const auto& waypoint : world->route.waypoints) about.include(waypoint.position);
-    EXPECT_EQ(writeChartSheet(*chart, about, path), QString());
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(file.read(5) == "%PDF-");
-    EXPECT_GT(file.size(), 20'000);
-    EXPECT_FALSE(writeChartSheet(*chart, about, QStringLiteral("/no/such/folder/chart.pdf")).isEmpty());
 }
 
 }  // namespace
