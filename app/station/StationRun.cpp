@@ -7,17 +7,22 @@ namespace sagara::station {
 
 core::Result<std::unique_ptr<StationRun>, std::string> StationRun::open(run::Store& store,
                                                                         const RunRequest& request) {
+    auto world = files::buildScenario(store, request.scenario, request.seed);
+    if (!world) return world.error();
+    return open(store, request, std::move(world).value());
+}
+
+core::Result<std::unique_ptr<StationRun>, std::string> StationRun::open(
+    run::Store& store, const RunRequest& request, std::shared_ptr<const core::World> world) {
     std::string trainee;
     if (!request.trainee.empty()) {
         const auto name = db::personName(request.trainee);
         if (!name) return std::string(db::toText(name.error()));
         trainee = name.value();
     }
-    auto world = files::buildScenario(store, request.scenario, request.seed);
-    if (!world) return world.error();
-    core::RecordingHeader header = run::newHeader(**world, request.level, request.type, trainee);
+    core::RecordingHeader header = run::newHeader(*world, request.level, request.type, trainee);
     if (request.pilot) header.planned.push_back({0, 0, core::PilotOrder{true}});
-    auto leg = RunLeg::begin(store, std::move(world).value(), std::move(header));
+    auto leg = RunLeg::begin(store, std::move(world), std::move(header));
     if (!leg) return leg.error();
     return std::unique_ptr<StationRun>(new StationRun(store, std::move(leg).value()));
 }

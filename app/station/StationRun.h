@@ -13,6 +13,9 @@ public:
     /// The error is for the person who chose. `store` outlives the run.
     static core::Result<std::unique_ptr<StationRun>, std::string> open(run::Store& store,
                                                                        const RunRequest& request);
+    /// The same of an exercise that is built already; `request.scenario` and `seed` are the world's.
+    static core::Result<std::unique_ptr<StationRun>, std::string> open(
+        run::Store& store, const RunRequest& request, std::shared_ptr<const core::World> world);
     /// A run that was broken off, from its last saved second; it stands still at first.
     static core::Result<std::unique_ptr<StationRun>, std::string> takeUp(
         run::Store& store, const std::filesystem::path& recording);

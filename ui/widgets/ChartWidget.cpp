@@ -416,6 +416,7 @@ void ChartWidget::mouseReleaseEvent(QMouseEvent* event) {
     const ChartPick pick = pickAt(event->position());
     if (!pick.text.isEmpty()) QToolTip::showText(event->globalPosition().toPoint(), pick.text, this);
     Q_EMIT picked(pick);
+    Q_EMIT clicked(view().toChart(event->position()));
 }
 
 void ChartWidget::leaveEvent(QEvent* event) {

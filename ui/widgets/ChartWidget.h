@@ -80,6 +80,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     void cursorMoved(core::NorthEast position);
     void picked(const sagara::ui::ChartPick& pick);
+    /// With every pick: the place itself, whatever lies there.
+    void clicked(core::NorthEast position);
     /// While a handle is dragged, and once when it is let go. A drag that is cancelled gives handleDragged
     /// with the old position.
     void handleDragged(int id, core::NorthEast position);

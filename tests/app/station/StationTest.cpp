@@ -193,6 +193,27 @@ TEST_F(StationWindow, GoesBackAndKeepsWhatWasSailed) {
     EXPECT_EQ(db::RunRepository(*m_store->database()).list().size(), 2u);
 }
 
+TEST_F(StationWindow, GoesBackToTheVeryStart) {
+    RunRequest request;
+    request.scenario = "basic-navigation";
+    ASSERT_FALSE(m_station->openRun(request));
+    const auto first = core::stateHash(run().state());
+    run().give(0, core::HelmOrder{0.2});
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 1.2; }, 60'000));
+    ASSERT_EQ(run().goBack(0).value_or(""), "");
+    EXPECT_EQ(core::stateHash(run().state()), first);
+    EXPECT_TRUE(run().eventsFrom(0).empty());
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 2.2; }, 60'000));
+    const fs::path second = run().recording();
+    (void)run().end();
+    const auto after = core::readRecording(*files::readBinaryFile(second));
+    ASSERT_TRUE(after) << after.error();
+    const auto replayed = core::replay(*run().world(), *after, after->endTick, [](auto&&...) {});
+    EXPECT_TRUE(replayed) << replayed.error();
+}
+
 TEST_F(StationWindow, AnAssessmentDoesNotGoBack) {
     RunRequest request;
     request.scenario = "basic-navigation";
