@@ -110,11 +110,10 @@ void ImportDialog::fill() {
         m_table->setItem(r, Why, item(row.fault.isEmpty() ? row.duplicate : row.fault));
     }
     m_table->resizeColumnsToContents();
-    for (const int column : {Name, Rank, Note})
-        m_table->setColumnWidth(column, std::min(m_table->columnWidth(column), 170));
+    for (int column = 0; column < Why; ++column)
+        m_table->setColumnWidth(column, std::min(m_table->columnWidth(column) + 16, 200));
     m_table->horizontalHeader()->setSectionResizeMode(Why, QHeaderView::Stretch);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->setColumnWidth(Verdict, m_table->columnWidth(Verdict) + 20);
 }
 
 void ImportDialog::tickAll(bool on) {
