@@ -83,6 +83,7 @@ AssignmentsPanel::AssignmentsPanel(RosterPort& port, QWidget* parent)
     doing->addStretch(1);
     doing->addWidget(m_withdraw);
     auto* const left = new QVBoxLayout;
+    left->setSpacing(6);
     left->addLayout(doing);
     left->addWidget(m_table, 3);
     left->addWidget(m_trouble);

@@ -4,17 +4,18 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/roster/Field.h"
-#include "ui/theme/ThemeColours.h"
+#include "ui/roster/Rows.h"
 
 namespace sagara::ui::roster {
 namespace {
 
-enum Column { Line, Name, Number, Rank, Class, Note, Verdict, ColumnCount };
+enum Column { Line, Name, Number, Rank, Class, Note, Verdict, Why, ColumnCount };
 
 QTableWidgetItem* item(const QString& text) {
     auto* const made = new QTableWidgetItem(text);
@@ -23,10 +24,14 @@ QTableWidgetItem* item(const QString& text) {
     return made;
 }
 
-QString verdictOf(const CsvRow& row) {
-    if (!row.fault.isEmpty()) return ImportDialog::tr("Cannot be taken in: %1").arg(row.fault);
-    if (!row.duplicate.isEmpty()) return ImportDialog::tr("Double: %1").arg(row.duplicate);
-    return ImportDialog::tr("New");
+QTableWidgetItem* verdictItem(const CsvRow& row) {
+    const bool fault = !row.fault.isEmpty();
+    auto* const made = item(fault                      ? ImportDialog::tr("fault")
+                            : !row.duplicate.isEmpty() ? ImportDialog::tr("double")
+                                                       : ImportDialog::tr("new"));
+    const Tone tone = fault ? Tone::Bad : row.usable() ? Tone::Good : Tone::Attention;
+    made->setData(RowsModel::kToneRole, static_cast<int>(tone));
+    return made;
 }
 
 }  // namespace
@@ -47,8 +52,8 @@ ImportDialog::ImportDialog(CsvList list, RosterPort& port, QWidget* parent)
     m_summary->setObjectName(QStringLiteral("import-summary"));
     m_table->setObjectName(QStringLiteral("import-rows"));
     m_table->setColumnCount(ColumnCount);
-    m_table->setHorizontalHeaderLabels(
-        {tr("Line"), tr("Name"), tr("Number"), tr("Rank"), tr("Class"), tr("Note"), tr("What happens")});
+    m_table->setHorizontalHeaderLabels({tr("Line"), tr("Name"), tr("Number"), tr("Rank"), tr("Class"),
+                                        tr("Note"), tr("Line is"), tr("Why it stays out")});
     m_table->verticalHeader()->hide();
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setAlternatingRowColors(true);
@@ -82,15 +87,7 @@ ImportDialog::ImportDialog(CsvList list, RosterPort& port, QWidget* parent)
 }
 
 void ImportDialog::setColours(PaletteName palette) {
-    const ThemeColours& c = themeColours(palette);
-    const QSignalBlocker quiet(m_table);
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const CsvRow& of = m_list.rows[static_cast<std::size_t>(row)];
-        if (of.usable()) continue;
-        QTableWidgetItem* const verdict = m_table->item(row, Verdict);
-        verdict->setBackground(of.fault.isEmpty() ? c.caution : c.alarm);
-        verdict->setForeground(of.fault.isEmpty() ? c.onCaution : c.onAlarm);
-    }
+    m_table->setItemDelegateForColumn(Verdict, toneDelegate(palette, m_table));
 }
 
 void ImportDialog::fill() {
@@ -109,12 +106,14 @@ void ImportDialog::fill() {
         m_table->setItem(r, Rank, item(row.person.rank));
         m_table->setItem(r, Class, item(row.person.className));
         m_table->setItem(r, Note, item(row.person.note));
-        m_table->setItem(r, Verdict, item(verdictOf(row)));
+        m_table->setItem(r, Verdict, verdictItem(row));
+        m_table->setItem(r, Why, item(row.fault.isEmpty() ? row.duplicate : row.fault));
     }
     m_table->resizeColumnsToContents();
-    for (const int column : {Name, Rank, Note})
-        m_table->setColumnWidth(column, std::min(m_table->columnWidth(column), 170));
-    m_table->horizontalHeader()->setSectionResizeMode(Verdict, QHeaderView::Stretch);
+    for (int column = 0; column < Why; ++column)
+        m_table->setColumnWidth(column, std::min(m_table->columnWidth(column) + 16, 200));
+    m_table->horizontalHeader()->setSectionResizeMode(Why, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 void ImportDialog::tickAll(bool on) {

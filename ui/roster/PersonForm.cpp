@@ -60,6 +60,8 @@ PersonForm::PersonForm(QWidget* parent)
     m_class->setInsertPolicy(QComboBox::NoInsert);
     m_class->setToolTip(tr("Choose a class or type the name of a new one; empty: none"));
     m_class->lineEdit()->setPlaceholderText(tr("none; type to make one"));
+    for (QComboBox* choice : {m_class, m_role})
+        choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_role->setObjectName(QStringLiteral("person-role"));
     m_role->setToolTip(tr("Trainers and administrators may sign off assessments"));
     for (const Role role : {Role::Trainee, Role::Trainer, Role::Admin})

@@ -5,6 +5,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/roster/AssessorForm.h"
 #include "ui/roster/Field.h"
@@ -17,9 +19,17 @@ namespace {
 
 constexpr int kAssessor_px = 380;
 
-QString valueText(double value, const QString& unit) {
-    return unit.isEmpty() ? QString::number(value, 'f', 2)
-                          : QStringLiteral("%1 %2").arg(value, 0, 'f', 2).arg(unit);
+/// As many digits as their size deserves, and more where value and limit would read alike.
+int digitsOf(double value, double limit) {
+    const double size = std::max(std::abs(value), std::abs(limit));
+    int digits = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
+    while (digits < 3 && QString::number(value, 'f', digits) == QString::number(limit, 'f', digits)) ++digits;
+    return digits;
+}
+
+QString valueText(double value, int digits, const QString& unit) {
+    const QString number = QString::number(value, 'f', digits);
+    return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
 }
 
 Cell ordered(const QString& text, double order, Tone tone = Tone::Plain) {
@@ -35,11 +45,13 @@ Row rowOf(std::int64_t number, const Result::Task& t) {
 }
 
 Row rowOf(std::int64_t number, const Result::Loss& l) {
-    return {number,
-            {ordered(duration(l.time_s), l.time_s), l.title, ordered(valueText(l.value, l.unit), l.value),
-             ordered(valueText(l.limit, l.unit), l.limit),
-             l.fails ? ordered(ResultPage::tr("fails the run"), 1e12, Tone::Bad)
-                     : ordered(QStringLiteral("-%1").arg(scoreText(l.points)), l.points)}};
+    const int digits = digitsOf(l.value, l.limit);
+    return {
+        number,
+        {ordered(duration(l.time_s), l.time_s), l.title, ordered(valueText(l.value, digits, l.unit), l.value),
+         ordered(valueText(l.limit, digits, l.unit), l.limit),
+         l.fails ? ordered(ResultPage::tr("fails the run"), 1e12, Tone::Bad)
+                 : ordered(QStringLiteral("-%1").arg(scoreText(l.points)), l.points)}};
 }
 
 }  // namespace
@@ -103,6 +115,7 @@ ResultPage::ResultPage(std::unique_ptr<ResultPort> port, QWidget* parent)
     band->addLayout(points);
     band->addWidget(m_whyNot, 1);
     auto* const left = new QVBoxLayout;
+    left->setSpacing(6);
     left->addLayout(band);
     left->addSpacing(8);
     left->addWidget(heading(tr("Tasks"), 1.1, this));

@@ -6,13 +6,15 @@
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
 #include <algorithm>
+#include <utility>
 
 #include "ui/theme/ThemeColours.h"
 
 namespace sagara::ui::roster {
 namespace {
 
-constexpr int kPadding_px = 22;
+constexpr int kPadding_px = 26;
+constexpr int kSide_px = 7;  ///< as the sections of the header have
 
 /// Every word somewhere in the row.
 class Searched final : public QSortFilterProxyModel {
@@ -36,7 +38,7 @@ private:
     QStringList m_words;
 };
 
-/// Draws a cell with a tone as a coloured field round its word.
+/// Words with room at their sides, or a coloured field round them; the row is what is selected, not a cell.
 class ToneDelegate final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -44,39 +46,51 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
-        const auto tone = static_cast<Tone>(index.data(RowsModel::kToneRole).toInt());
-        const QString words = index.data().toString();
-        if (tone == Tone::Plain || words.isEmpty()) return QStyledItemDelegate::paint(painter, option, index);
         QStyleOptionViewItem bare = option;
         initStyleOption(&bare, index);
-        bare.text.clear();
+        const QString words = std::exchange(bare.text, QString());
+        bare.state &= ~QStyle::State_HasFocus;
         option.widget->style()->drawControl(QStyle::CE_ItemViewItem, &bare, painter, option.widget);
-        const ThemeColours& c = themeColours(m_palette);
+        if (words.isEmpty()) return;
         painter->save();
-        if (tone == Tone::Quiet) {
-            const bool selected = (option.state & QStyle::State_Selected) != 0;
-            painter->setPen(selected ? c.onSelected : c.quietText);
-            painter->drawText(option.rect.adjusted(4, 0, -4, 0), int(bare.displayAlignment), words);
+        painter->setFont(bare.font);
+        const auto tone = static_cast<Tone>(index.data(RowsModel::kToneRole).toInt());
+        if (tone == Tone::Plain || tone == Tone::Quiet) {
+            drawWords(*painter, bare, words, tone);
         } else {
-            drawField(*painter, option, words,
-                      tone == Tone::Good  ? c.running
-                      : tone == Tone::Bad ? c.alarm
-                                          : c.caution,
-                      tone == Tone::Good  ? c.onRunning
-                      : tone == Tone::Bad ? c.onAlarm
-                                          : c.onCaution);
+            drawField(*painter, bare, words, tone);
         }
         painter->restore();
     }
 
 private:
-    static void drawField(QPainter& painter, const QStyleOptionViewItem& option, const QString& words,
-                          const QColor& behind, const QColor& ink) {
+    void drawWords(QPainter& painter, const QStyleOptionViewItem& option, const QString& words,
+                   Tone tone) const {
+        const ThemeColours& c = themeColours(m_palette);
+        const bool enabled = (option.state & QStyle::State_Enabled) != 0;
+        const bool selected = (option.state & QStyle::State_Selected) != 0;
+        painter.setPen(!enabled              ? c.disabledText
+                       : selected            ? c.onSelected
+                       : tone == Tone::Quiet ? c.quietText
+                                             : c.text);
+        const QRect room = option.rect.adjusted(kSide_px, 0, -kSide_px, 0);
+        painter.drawText(room, int(option.displayAlignment) | Qt::TextSingleLine,
+                         option.fontMetrics.elidedText(words, Qt::ElideRight, room.width()));
+    }
+
+    void drawField(QPainter& painter, const QStyleOptionViewItem& option, const QString& words,
+                   Tone tone) const {
+        const ThemeColours& c = themeColours(m_palette);
+        const QColor behind = tone == Tone::Good ? c.running : tone == Tone::Bad ? c.alarm : c.caution;
+        const QColor ink = tone == Tone::Good ? c.onRunning : tone == Tone::Bad ? c.onAlarm : c.onCaution;
         const int width_px = option.fontMetrics.horizontalAdvance(words) + 14;
-        const int height_px = option.fontMetrics.height() + 2;
-        QRect field(0, 0, std::min(width_px, option.rect.width() - 4), height_px);
+        QRect field(0, 0, std::min(width_px, option.rect.width() - 4), option.fontMetrics.height() + 2);
         field.moveCenter(option.rect.center());
-        field.moveLeft(option.rect.left() + 3);
+        if ((option.displayAlignment & Qt::AlignRight) != 0) {
+            field.moveRight(option.rect.right() - 2);
+        } else {
+            field.moveLeft(option.rect.left() + 2);
+        }
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(Qt::NoPen);
         painter.setBrush(behind);
@@ -89,6 +103,12 @@ private:
 };
 
 }  // namespace
+
+QStyledItemDelegate* toneDelegate(PaletteName palette, QObject* parent) {
+    auto* const made = new ToneDelegate(parent);
+    made->setColours(palette);
+    return made;
+}
 
 RowsModel::RowsModel(std::vector<Column> columns, QObject* parent)
     : QAbstractTableModel(parent), m_columns(std::move(columns)) {}

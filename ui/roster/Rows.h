@@ -8,6 +8,7 @@
 #include "ui/theme/PaletteName.h"
 
 class QSortFilterProxyModel;
+class QStyledItemDelegate;
 
 namespace sagara::ui::roster {
 
@@ -57,6 +58,9 @@ private:
     std::vector<Column> m_columns;
     std::vector<Row> m_rows;
 };
+
+/// Draws cells by their tone (kToneRole), for tables of other models, too.
+QStyledItemDelegate* toneDelegate(PaletteName palette, QObject* parent);
 
 /// VIEW: such rows, sorted by a click on a header, searched by words; says what to do when there are none.
 class RowsView final : public QTableView {

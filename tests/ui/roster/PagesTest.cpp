@@ -204,9 +204,8 @@ TEST_F(Roster, AFileIsLookedThroughAndOnlyTickedLinesAreTakenIn) {
                   "Cadet;Another;NC-01;;;\r\n"));
     auto* const rows = find<QTableWidget>("import-rows");
     ASSERT_EQ(rows->rowCount(), 6);
-    EXPECT_EQ(rows->item(2, 6)->text(),
-              QStringLiteral("Cannot be taken in: the name is empty, expected 1 to 80 characters"));
-    EXPECT_EQ(rows->item(3, 6)->text(), QStringLiteral("Double: same name as Nimal Perera on the roster"));
+    EXPECT_EQ(rows->item(2, 7)->text(), QStringLiteral("the name is empty, expected 1 to 80 characters"));
+    EXPECT_EQ(rows->item(3, 7)->text(), QStringLiteral("same name as Nimal Perera on the roster"));
     EXPECT_EQ(rows->item(4, 0)->text(), QStringLiteral("6"));
     EXPECT_FALSE(rows->item(4, 0)->flags() & Qt::ItemIsUserCheckable);
     EXPECT_EQ(find<QLabel>("import-summary")->text(),
