@@ -65,7 +65,7 @@ DebriefPage::DebriefPage(DebriefPorts ports, const QString& name, QWidget* paren
         watcher->deleteLater();
         if (m_progress->cancelled) return;
         if (!opening->recording.replay) return fail(QString::fromStdString(opening->error));
-        show(std::move(opening->recording));
+        showDesk(std::move(opening->recording));
     });
     watcher->setFuture(QtConcurrent::run([open = m_ports.open, progress = m_progress] {
         auto opening = std::make_shared<Opening>();
@@ -88,7 +88,7 @@ DebriefPage::DebriefPage(DebriefPorts ports, const QString& name, QWidget* paren
 
 DebriefPage::~DebriefPage() { m_progress->cancelled = true; }
 
-void DebriefPage::show(OpenedRecording recording) {
+void DebriefPage::showDesk(OpenedRecording recording) {
     m_desk = new DebriefDesk(m_ports, std::move(recording), this);
     m_desk->setObjectName(QStringLiteral("debrief-desk"));
     m_desk->setColours(m_colours);

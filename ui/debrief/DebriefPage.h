@@ -35,7 +35,7 @@ Q_SIGNALS:
 
 private:
     struct Opening;
-    void show(OpenedRecording recording);
+    void showDesk(OpenedRecording recording);
     void fail(const QString& why);
 
     DebriefPorts m_ports;
