@@ -12,6 +12,7 @@ namespace sagara::station {
 namespace {
 
 constexpr int kLook_ms = 500;
+constexpr int kRunsAtOnce = 200, kMostRuns = 1000;  ///< of everybody, the newest
 
 QString q(const std::string& utf8) { return QString::fromStdString(utf8); }
 
@@ -44,9 +45,13 @@ std::vector<ui::PastRun> pastRuns(run::Store& store, const std::string& person) 
     if (store.database() == nullptr) return past;
     const auto known = db::PersonRepository(*store.database()).findByName(person);
     if (!known) return past;
-    for (const db::RunRecord& run : db::RunRepository(*store.database()).finishedBy(known->id)) {
-        if (run.start.type == db::RunType::Demo) continue;
-        past.push_back(pastRun(store, run));
+    const db::RunRepository runs(*store.database());
+    for (db::Page page{kRunsAtOnce, 0}; page.offset < kMostRuns; page.offset += kRunsAtOnce) {
+        const auto some = runs.list(page);
+        for (const db::RunRecord& run : some)
+            if (run.start.person == known->id && run.status != db::RunStatus::Running)
+                past.push_back(pastRun(store, run));
+        if (static_cast<int>(some.size()) < kRunsAtOnce) break;
     }
     return past;
 }

@@ -75,7 +75,7 @@ std::optional<std::size_t> targetFor(const core::World& world, const render::Mom
     return best;
 }
 
-DemoCamera nextCamera(const DemoCamera& now, const core::World& world, const render::Moment& moment) {
+DemoCamera nextDemoCamera(const DemoCamera& now, const core::World& world, const render::Moment& moment) {
     constexpr int kKinds = 5;
     for (int step = 1; step <= kKinds; ++step) {
         const auto kind = static_cast<DemoCameraKind>((static_cast<int>(now.kind) + step) % kKinds);

@@ -19,7 +19,7 @@ struct DemoCamera {
 
 /// The camera after this one that has something to show: no shore out of sight, no other ship far off. Bridge
 /// and chase always have.
-DemoCamera nextCamera(const DemoCamera& now, const core::World& world, const render::Moment& moment);
+DemoCamera nextDemoCamera(const DemoCamera& now, const core::World& world, const render::Moment& moment);
 /// Sets a viewport's rig up for it; again at every picture, for what it looks from may move.
 void aim(CameraRig& rig, const DemoCamera& camera, const core::World& world, const render::Moment& moment);
 

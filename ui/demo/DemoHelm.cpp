@@ -26,7 +26,7 @@ int nearestStep(const core::TelegraphTable& table, double shaft_rps) {
 
 }  // namespace
 
-bool moved(const StickReading& before, const StickReading& now) {
+bool stickMoved(const StickReading& before, const StickReading& now) {
     return (now.pressed && !before.pressed) || std::abs(now.rudder - before.rudder) > kTremble ||
            std::abs(now.engine - before.engine) > kTremble;
 }

@@ -42,6 +42,6 @@ private:
 };
 
 /// Has anybody moved the stick, beyond what a worn one trembles?
-bool moved(const StickReading& before, const StickReading& now);
+bool stickMoved(const StickReading& before, const StickReading& now);
 
 }  // namespace sagara::ui

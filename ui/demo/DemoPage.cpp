@@ -197,7 +197,7 @@ void DemoPage::mousePressEvent(QMouseEvent*) {
 
 void DemoPage::pollStick() {
     const auto now = m_ports.stick ? m_ports.stick() : std::nullopt;
-    if (now && m_stick && moved(*m_stick, *now)) {
+    if (now && m_stick && stickMoved(*m_stick, *now)) {
         m_stick = now;
         touch();
     }
@@ -217,7 +217,7 @@ void DemoPage::give(const DemoHelm::Orders& orders) {
 void DemoPage::perform(DemoDirector::Act act) {
     switch (act) {
         case DemoDirector::Act::NextCamera:
-            m_camera = nextCamera(m_camera, *run().world(), render::momentOf(*run().latest()));
+            m_camera = nextDemoCamera(m_camera, *run().world(), render::momentOf(*run().latest()));
             break;
         case DemoDirector::Act::TakeHelm:
             takeHelm();
@@ -280,23 +280,23 @@ void DemoPage::caption() {
     m_hints = hintsFor(world, *now, state.assessment.route);
     DemoShown shown;
     shown.lesson = QString::fromStdString(world.scenarioName);
-    shown.camera = cameraText(world, m_camera);
-    shown.caption = captionOf(world, state, *now, m_hints);
+    shown.camera = demoCamera(world, m_camera);
+    shown.caption = demoCaption(world, state, *now, m_hints);
     shown.invites = m_director.phase() == DemoDirector::Phase::Attract;
     if (m_director.phase() == DemoDirector::Phase::Helm) {
         const QString next = m_hints.waypoint
                                  ? tr("Steer %1° to %2, %3")
                                        .arg(chart::bearing(m_hints.waypoint->bearing_rad / core::kDegree_rad),
                                             QString::fromStdString(m_hints.waypoint->name),
-                                            distanceText(m_hints.waypoint->distance_m))
+                                            hintDistance(m_hints.waypoint->distance_m))
                                  : tr("Steer where you like");
-        shown.guide = {m_director.helmLeft_s(), rudderText(m_helm.rudder_rad()), engineText(m_helm.step()),
+        shown.guide = {m_director.helmLeft_s(), demoRudder(m_helm.rudder_rad()), demoEngine(m_helm.step()),
                        next};
     }
     if (m_director.phase() == DemoDirector::Phase::Score) {
         shown.verdict = {
-            m_score.stars(), verdictText(m_score.verdict()),
-            tr("You sailed %1. Thank you for your visit!").arg(distanceText(m_score.sailed_m()))};
+            m_score.stars(), demoVerdict(m_score.verdict()),
+            tr("You sailed %1. Thank you for your visit!").arg(hintDistance(m_score.sailed_m()))};
     }
     m_overlay->display(std::move(shown));
 }

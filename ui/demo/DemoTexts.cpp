@@ -34,20 +34,20 @@ QString weatherText(const core::Snapshot& now) {
     const QString wind =
         beaufort == 0 ? tr("calm")
                       : tr("%1 from %2")
-                            .arg(tr("Beaufort %1").arg(beaufort), compassText(now.weather.wind.windFrom_rad));
+                            .arg(tr("Beaufort %1").arg(beaufort), demoCompass(now.weather.wind.windFrom_rad));
     return now.weather.rain > 0.1 ? tr("%1, rain").arg(wind) : wind;
 }
 
 }  // namespace
 
-QString compassText(double from_rad) {
+QString demoCompass(double from_rad) {
     const std::array<QString, 8> names{tr("north"), tr("north-east"), tr("east"), tr("south-east"),
                                        tr("south"), tr("south-west"), tr("west"), tr("north-west")};
     const auto eighth = static_cast<std::size_t>(std::lround(core::wrapTwoPi(from_rad) / (core::kPi / 4.0)));
     return names[eighth % names.size()];
 }
 
-QString happeningText(const core::World& world, const core::State& state, const Hints& hints) {
+QString demoHappening(const core::World& world, const core::State& state, const Hints& hints) {
     if (state.ships.empty()) return {};
     const core::PilotMemory& pilot = state.ships[0].pilot;
     if (state.finished) return tr("The lesson is over");
@@ -58,10 +58,10 @@ QString happeningText(const core::World& world, const core::State& state, const 
     return tr("Under way");
 }
 
-DemoCaption captionOf(const core::World& world, const core::State& state, const core::Snapshot& now,
+DemoCaption demoCaption(const core::World& world, const core::State& state, const core::Snapshot& now,
                       const Hints& hints) {
     DemoCaption caption;
-    caption.title = happeningText(world, state, hints);
+    caption.title = demoHappening(world, state, hints);
     if (now.ships.empty()) return caption;
     const core::OwnShipView& ship = now.ships[0];
     const double heading_rad =
@@ -70,14 +70,14 @@ DemoCaption captionOf(const core::World& world, const core::State& state, const 
         {tr("Speed"), tr("%1 kn").arg(core::length(ship.overGround_mps) / core::kKnot_mps, 0, 'f', 1)},
         {tr("Heading"), tr("%1°").arg(chart::bearing(heading_rad / core::kDegree_rad))},
         {tr("Next waypoint"), hints.waypoint ? tr("%1, %2").arg(name(hints.waypoint->name),
-                                                                distanceText(hints.waypoint->distance_m))
+                                                                hintDistance(hints.waypoint->distance_m))
                                              : tr("none")},
         {tr("Wind"), weatherText(now)},
-        {tr("Visibility"), distanceText(now.weather.visibility_m)}};
+        {tr("Visibility"), hintDistance(now.weather.visibility_m)}};
     return caption;
 }
 
-QString cameraText(const core::World& world, const DemoCamera& camera) {
+QString demoCamera(const core::World& world, const DemoCamera& camera) {
     switch (camera.kind) {
         case DemoCameraKind::Bridge:
             return tr("From her bridge");
@@ -98,13 +98,13 @@ QString cameraText(const core::World& world, const DemoCamera& camera) {
     return {};
 }
 
-QString rudderText(double rudder_rad) {
+QString demoRudder(double rudder_rad) {
     const auto degrees = std::lround(std::abs(rudder_rad) / core::kDegree_rad);
     if (degrees == 0) return tr("Midships");
     return rudder_rad < 0.0 ? tr("Port %1°").arg(degrees) : tr("Starboard %1°").arg(degrees);
 }
 
-QString engineText(core::TelegraphStep step) {
+QString demoEngine(core::TelegraphStep step) {
     switch (step) {
         case core::TelegraphStep::FullAstern:
             return tr("Full astern");
@@ -128,7 +128,7 @@ QString engineText(core::TelegraphStep step) {
     return {};
 }
 
-QString verdictText(DemoScore::Verdict verdict) {
+QString demoVerdict(DemoScore::Verdict verdict) {
     switch (verdict) {
         case DemoScore::Verdict::TookALook:
             return tr("A short visit to the bridge. Stay a little longer next time!");

@@ -23,16 +23,16 @@ struct DemoCaption {
 };
 
 /// What the pilot is doing now: "On the way to Entrance".
-QString happeningText(const core::World& world, const core::State& state, const Hints& hints);
-DemoCaption captionOf(const core::World& world, const core::State& state, const core::Snapshot& now,
+QString demoHappening(const core::World& world, const core::State& state, const Hints& hints);
+DemoCaption demoCaption(const core::World& world, const core::State& state, const core::Snapshot& now,
                       const Hints& hints);
-QString cameraText(const core::World& world, const DemoCamera& camera);
+QString demoCamera(const core::World& world, const DemoCamera& camera);
 /// "Starboard 10°", "Midships".
-QString rudderText(double rudder_rad);
+QString demoRudder(double rudder_rad);
 /// "Half ahead", "Stop".
-QString engineText(core::TelegraphStep step);
-QString verdictText(DemoScore::Verdict verdict);
+QString demoEngine(core::TelegraphStep step);
+QString demoVerdict(DemoScore::Verdict verdict);
 /// "north-east"
-QString compassText(double from_rad);
+QString demoCompass(double from_rad);
 
 }  // namespace sagara::ui

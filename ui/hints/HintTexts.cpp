@@ -18,34 +18,34 @@ QString tr(const char* text) { return QCoreApplication::translate("sagara::ui::H
 HintLine waypointLine(const Hints::Waypoint& next) {
     QString detail =
         tr("%1°T, %2")
-            .arg(chart::bearing(next.bearing_rad / core::kDegree_rad), distanceText(next.distance_m));
-    if (next.time_s) detail += tr(", %1").arg(durationText(*next.time_s));
+            .arg(chart::bearing(next.bearing_rad / core::kDegree_rad), hintDistance(next.distance_m));
+    if (next.time_s) detail += tr(", %1").arg(hintDuration(*next.time_s));
     return {tr("Next waypoint"), QString::fromStdString(next.name), detail, false};
 }
 
 HintLine trackLine(const Hints::OffTrack& track) {
     const QString side = track.off_m < 0.0 ? tr("to port of the track") : tr("to starboard of the track");
-    return {tr("Cross-track"), tr("%1 %2").arg(distanceText(std::abs(track.off_m)), side),
-            track.outside() ? tr("outside the corridor of %1").arg(distanceText(track.limit_m))
-                            : tr("corridor %1").arg(distanceText(track.limit_m)),
+    return {tr("Cross-track"), tr("%1 %2").arg(hintDistance(std::abs(track.off_m)), side),
+            track.outside() ? tr("outside the corridor of %1").arg(hintDistance(track.limit_m))
+                            : tr("corridor %1").arg(hintDistance(track.limit_m)),
             track.outside()};
 }
 
 }  // namespace
 
-QString distanceText(double distance_m) {
+QString hintDistance(double distance_m) {
     if (distance_m < 2.0 * kCable_m) return tr("%1 m").arg(std::round(distance_m), 0, 'f', 0);
     return tr("%1 M").arg(distance_m / core::kNauticalMile_m, 0, 'f', 2);
 }
 
-QString durationText(double time_s) {
+QString hintDuration(double time_s) {
     const auto minutes = static_cast<long>(std::lround(time_s / 60.0));
     if (minutes < 1) return tr("under 1 min");
     if (minutes < 60) return tr("%1 min").arg(minutes);
     return tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
 }
 
-QString speedText(double speed_mps) {
+QString hintSpeed(double speed_mps) {
     return tr("%1 kn").arg(chart::shortNumber(speed_mps / core::kKnot_mps, 1));
 }
 
@@ -62,14 +62,14 @@ QVector<HintLine> hintLines(const Hints& hints, double speed_mps) {
     if (hints.waypoint) lines.append(waypointLine(*hints.waypoint));
     if (hints.speedLimit_mps && *hints.speedLimit_mps < 59.0 * core::kKnot_mps) {
         const bool tooFast = speed_mps > *hints.speedLimit_mps + kTooFast_mps;
-        lines.append({tr("Speed allowed here"), speedText(*hints.speedLimit_mps),
-                      tooFast ? tr("she makes %1: slow down").arg(speedText(speed_mps)) : QString(),
+        lines.append({tr("Speed allowed here"), hintSpeed(*hints.speedLimit_mps),
+                      tooFast ? tr("she makes %1: slow down").arg(hintSpeed(speed_mps)) : QString(),
                       tooFast});
     }
     if (hints.ahead) {
         const bool soon = speed_mps > hints.ahead->limit_mps && hints.ahead->in_m < 3.0 * kCable_m;
-        lines.append({tr("Speed limit ahead"), speedText(hints.ahead->limit_mps),
-                      tr("in %1").arg(distanceText(hints.ahead->in_m)), soon});
+        lines.append({tr("Speed limit ahead"), hintSpeed(hints.ahead->limit_mps),
+                      tr("in %1").arg(hintDistance(hints.ahead->in_m)), soon});
     }
     if (hints.track) lines.append(trackLine(*hints.track));
     return lines;

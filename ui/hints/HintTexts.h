@@ -15,11 +15,11 @@ struct HintLine {
 };
 
 /// "0.42 M"; under two cables in metres, "180 m".
-QString distanceText(double distance_m);
+QString hintDistance(double distance_m);
 /// "4 min", "under 1 min", "1 h 05 min".
-QString durationText(double time_s);
+QString hintDuration(double time_s);
 /// "6 kn", "5.5 kn".
-QString speedText(double speed_mps);
+QString hintSpeed(double speed_mps);
 
 /// The hints in words, most pressing first. `speed_mps` over the ground, to tell when she is too fast.
 QVector<HintLine> hintLines(const Hints& hints, double speed_mps);

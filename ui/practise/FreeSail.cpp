@@ -236,7 +236,7 @@ std::string withWeather(const std::string& scenarioText, const SailWeather& weat
     return written(document);
 }
 
-SailWeather weatherOf(const core::World& world) {
+SailWeather sailWeatherOf(const core::World& world) {
     const core::Weather& w = world.weather;
     SailWeather weather;
     weather.wind_kn = w.wind.speed_mps / core::kKnot_mps;
@@ -252,7 +252,7 @@ SailWeather weatherOf(const core::World& world) {
     return weather;
 }
 
-std::string trafficOf(const std::string& scenarioText) {
+std::string peacefulTraffic(const std::string& scenarioText) {
     QJsonArray peaceful;
     for (const QJsonValue& ship : read(scenarioText)[QStringLiteral("traffic")].toArray())
         if (ship.toObject()[QStringLiteral("behaviour")].toString() != QLatin1String("hostile"))

@@ -58,8 +58,8 @@ std::string freeSailScenario(const FreeSail& sail);
 /// A lesson's document in other weather or at another hour.
 std::string withWeather(const std::string& scenarioText, const SailWeather& weather);
 /// The weather a scenario begins in, before its level changes it.
-SailWeather weatherOf(const core::World& world);
+SailWeather sailWeatherOf(const core::World& world);
 /// Peaceful traffic of a scenario's text, as `FreeSail::traffic`.
-std::string trafficOf(const std::string& scenarioText);
+std::string peacefulTraffic(const std::string& scenarioText);
 
 }  // namespace sagara::ui

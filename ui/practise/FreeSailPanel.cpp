@@ -170,7 +170,7 @@ std::optional<FreeSail> FreeSailPanel::sail() const {
     const QString lesson = m_traffic->currentData().toString();
     if (!lesson.isEmpty())
         if (const auto text = m_ports.find(core::DocumentKind::Scenario, lesson.toStdString()))
-            sail.traffic = trafficOf(*text);
+            sail.traffic = peacefulTraffic(*text);
     return sail;
 }
 

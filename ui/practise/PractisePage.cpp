@@ -84,7 +84,7 @@ PractisePage::PractisePage(PractisePorts ports, QWidget* parent)
     });
     connect(m_ownWeather, &QCheckBox::toggled, this, [this](bool on) {
         m_weather->setVisible(on || free());
-        if (!on && m_world) m_weather->setWeather(weatherOf(*m_world));
+        if (!on && m_world) m_weather->setWeather(sailWeatherOf(*m_world));
     });
     connect(m_sail, &QPushButton::clicked, this, &PractisePage::setSail);
     if (m_lessons->count() > 0) m_lessons->setCurrentRow(0);
@@ -221,7 +221,7 @@ void PractisePage::lookAtLesson() {
     build({id, *text}, tr("Reading the lesson"), [this](World world) {
         m_world = std::move(world);
         m_weather->setUtcOffset(m_world->area.utcOffset_min);
-        m_weather->setWeather(weatherOf(*m_world));
+        m_weather->setWeather(sailWeatherOf(*m_world));
         showPreview();
     });
 }

@@ -65,10 +65,10 @@ TEST_F(Helm, TheStickSteersOnlyOnceItIsMoved) {
 }
 
 TEST(DemoStick, ATremblingStickIsNoTouch) {
-    EXPECT_FALSE(moved({0.0, 0.0, false}, {0.05, -0.05, false}));
-    EXPECT_TRUE(moved({0.0, 0.0, false}, {0.2, 0.0, false}));
-    EXPECT_TRUE(moved({0.0, 0.0, false}, {0.0, 0.0, true}));
-    EXPECT_FALSE(moved({0.0, 0.0, true}, {0.0, 0.0, true})) << "a button held down is one touch";
+    EXPECT_FALSE(stickMoved({0.0, 0.0, false}, {0.05, -0.05, false}));
+    EXPECT_TRUE(stickMoved({0.0, 0.0, false}, {0.2, 0.0, false}));
+    EXPECT_TRUE(stickMoved({0.0, 0.0, false}, {0.0, 0.0, true}));
+    EXPECT_FALSE(stickMoved({0.0, 0.0, true}, {0.0, 0.0, true})) << "a button held down is one touch";
 }
 
 }  // namespace

@@ -14,11 +14,11 @@ std::string std8(const QString& text) { return text.toStdString(); }
 TEST(DemoTexts, TellWhatThePilotDoes) {
     const auto world = test::lessonWorld();
     core::State state = core::startState(*world, 3);
-    EXPECT_EQ(std8(happeningText(*world, state, {})), "The lines are let go");
+    EXPECT_EQ(std8(demoHappening(*world, state, {})), "The lines are let go");
     state = core::sailedByPilot(world, 3, core::SimTime{400'000'000});
     const core::Snapshot now = core::view(*world, state);
     const Hints hints = hintsFor(*world, now, state.assessment.route);
-    const DemoCaption caption = captionOf(*world, state, now, hints);
+    const DemoCaption caption = demoCaption(*world, state, now, hints);
     ASSERT_TRUE(hints.waypoint);
     EXPECT_EQ(std8(caption.title), "On the way to " + hints.waypoint->name);
     ASSERT_EQ(caption.figures.size(), 5);
@@ -28,15 +28,15 @@ TEST(DemoTexts, TellWhatThePilotDoes) {
 }
 
 TEST(DemoTexts, NameTheQuartersOfTheWind) {
-    EXPECT_EQ(std8(compassText(0.0)), "north");
-    EXPECT_EQ(std8(compassText(355.0 * core::kDegree_rad)), "north");
-    EXPECT_EQ(std8(compassText(235.0 * core::kDegree_rad)), "south-west");
+    EXPECT_EQ(std8(demoCompass(0.0)), "north");
+    EXPECT_EQ(std8(demoCompass(355.0 * core::kDegree_rad)), "north");
+    EXPECT_EQ(std8(demoCompass(235.0 * core::kDegree_rad)), "south-west");
 }
 
 TEST(DemoTexts, NameRudderAndEngine) {
-    EXPECT_EQ(std8(rudderText(-10.0 * core::kDegree_rad)), "Port 10°");
-    EXPECT_EQ(std8(rudderText(0.0)), "Midships");
-    EXPECT_EQ(std8(engineText(core::TelegraphStep::HalfAhead)), "Half ahead");
+    EXPECT_EQ(std8(demoRudder(-10.0 * core::kDegree_rad)), "Port 10°");
+    EXPECT_EQ(std8(demoRudder(0.0)), "Midships");
+    EXPECT_EQ(std8(demoEngine(core::TelegraphStep::HalfAhead)), "Half ahead");
 }
 
 TEST(DemoCameras, GoRoundAndLeaveOutWhatShowsNothing) {
@@ -45,7 +45,7 @@ TEST(DemoCameras, GoRoundAndLeaveOutWhatShowsNothing) {
     ASSERT_TRUE(shoreFor(*world, moment));
     DemoCamera camera{DemoCameraKind::Bridge};
     std::vector<DemoCameraKind> seen;
-    for (int i = 0; i < 10; ++i) seen.push_back((camera = nextCamera(camera, *world, moment)).kind);
+    for (int i = 0; i < 10; ++i) seen.push_back((camera = nextDemoCamera(camera, *world, moment)).kind);
     using K = DemoCameraKind;
     for (const K kind : {K::Bridge, K::Chase, K::Shore, K::Wing, K::Target})
         EXPECT_EQ(std::count(seen.begin(), seen.end(), kind), 2) << static_cast<int>(kind);
@@ -53,7 +53,7 @@ TEST(DemoCameras, GoRoundAndLeaveOutWhatShowsNothing) {
     moment.targets.clear();
     moment.ships[0].position = {-20'000.0, 0.0};
     seen.clear();
-    for (int i = 0; i < 6; ++i) seen.push_back((camera = nextCamera(camera, *world, moment)).kind);
+    for (int i = 0; i < 6; ++i) seen.push_back((camera = nextDemoCamera(camera, *world, moment)).kind);
     EXPECT_EQ(std::count(seen.begin(), seen.end(), K::Shore), 0);
     EXPECT_EQ(std::count(seen.begin(), seen.end(), K::Target), 0);
     EXPECT_EQ(std::count(seen.begin(), seen.end(), K::Bridge), 2);

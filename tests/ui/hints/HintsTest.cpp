@@ -105,11 +105,11 @@ TEST(HintTexts, HaveUnitsAndSayWhatIsUrgent) {
 }
 
 TEST(HintTexts, RoundAsABridgeDoes) {
-    EXPECT_EQ(distanceText(180.4).toStdString(), "180 m");
-    EXPECT_EQ(distanceText(778.0).toStdString(), "0.42 M");
-    EXPECT_EQ(durationText(20.0).toStdString(), "under 1 min");
-    EXPECT_EQ(durationText(250.0).toStdString(), "4 min");
-    EXPECT_EQ(durationText(3900.0).toStdString(), "1 h 05 min");
+    EXPECT_EQ(hintDistance(180.4).toStdString(), "180 m");
+    EXPECT_EQ(hintDistance(778.0).toStdString(), "0.42 M");
+    EXPECT_EQ(hintDuration(20.0).toStdString(), "under 1 min");
+    EXPECT_EQ(hintDuration(250.0).toStdString(), "4 min");
+    EXPECT_EQ(hintDuration(3900.0).toStdString(), "1 h 05 min");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST(FreeSail, HasNoMissionStartsAsOrderedAndGoesOn) {
     EXPECT_TRUE(world->mission.criteria.empty());
     EXPECT_NEAR(world->ships[0]->start.heading_rad, 123.0 * core::kDegree_rad, 1e-12);
     EXPECT_NEAR(world->ships[0]->start.surge_mps, 6.0 * core::kKnot_mps, 1e-12);
-    const SailWeather back = weatherOf(*world);
+    const SailWeather back = sailWeatherOf(*world);
     EXPECT_NEAR(back.wind_kn, 21.0, 1e-9);
     EXPECT_EQ(back.swell_m, 0.0);
     EXPECT_EQ(back.startUtc, "2027-06-20T14:30:00Z");
@@ -95,7 +95,7 @@ TEST(FreeSail, HasNoMissionStartsAsOrderedAndGoesOn) {
 }
 
 TEST(FreeSail, TakesThePeacefulTrafficOfALesson) {
-    const std::string traffic = trafficOf(test::lessonText());
+    const std::string traffic = peacefulTraffic(test::lessonText());
     EXPECT_EQ(traffic.find("hostile"), std::string::npos);
     EXPECT_NE(traffic.find("MV Ruhunu"), std::string::npos);
     for (const SailPlace& place : placesFor(area("galle"), vessel("patrol51"))) {
@@ -113,8 +113,8 @@ TEST(FreeSail, ALessonKeepsItsMissionInOtherWeather) {
     const auto world = test::worldOf(withWeather(test::lessonText(), weather));
     EXPECT_EQ(world->scenarioId, "basic-navigation");
     EXPECT_EQ(world->mission.tasks.size(), 5u);
-    EXPECT_NEAR(weatherOf(*world).wind_kn, 33.0, 1e-9);
-    EXPECT_NEAR(weatherOf(*world).visibility_M, 0.5, 1e-9);
+    EXPECT_NEAR(sailWeatherOf(*world).wind_kn, 33.0, 1e-9);
+    EXPECT_NEAR(sailWeatherOf(*world).visibility_M, 0.5, 1e-9);
     EXPECT_EQ(withWeather("no json", weather), "no json");
 }
 
