@@ -14,6 +14,11 @@ namespace {
 constexpr double kLook_radps = 30.0 * core::kDegree_rad;
 constexpr double kThrustStep = 0.2;
 
+/// Orders by NMEA nearer to one another than this (a fifth of a degree, 0.3 %) are the same.
+constexpr double kSameOrder = 0.0035;
+/// What an order by NMEA is about; engines by their number from kEngines on.
+enum NmeaSubject { kRudder, kThruster, kHorn, kLook, kEngines };
+
 template <typename... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
@@ -55,6 +60,8 @@ void BridgeInput::setShip(const BridgeShip& ship) {
     m_ship = ship;
     m_helm_rad = 0.0;
     m_thrust = 0.0;
+    m_nmeaLast.clear();  // what the bridge says next is an order to this ship
+    m_nmeaLevers.clear();
     m_steps.assign(static_cast<std::size_t>(std::max(0, ship.shafts)), core::TelegraphStep::Stop);
 }
 
@@ -199,24 +206,55 @@ void BridgeInput::perform(BridgeAction action, int shaft, bool down) {
     }
 }
 
-void BridgeInput::obey(const NmeaOrder& order) {
+bool BridgeInput::isNew(int what, double value) {
+    const auto [known, first] = m_nmeaLast.try_emplace(what, value);
+    if (!first && std::abs(known->second - value) < kSameOrder) return false;
+    known->second = value;
+    return true;
+}
+
+void BridgeInput::obeyStep(int engine, core::TelegraphStep step) {
+    const auto shaft = shaftOfEngine(engine, m_ship.shafts);
+    if (!shaft || !isNew(kEngines + engine, leverOf(step))) return;
     Q_EMIT anyActivity();
-    std::visit(Overloaded{[this](const NmeaRudder& o) { wantHelm(o.rudder_rad); },
-                          [this](const NmeaTelegraph& o) {
-                              if (const auto shaft = shaftOfEngine(o.engine, m_ship.shafts))
-                                  wantStep(*shaft, o.step);
+    wantStep(*shaft, step);
+}
+
+void BridgeInput::obey(const NmeaOrder& order) {
+    std::visit(Overloaded{[this](const NmeaRudder& o) {
+                              if (!isNew(kRudder, o.rudder_rad)) return;
+                              Q_EMIT anyActivity();
+                              wantHelm(o.rudder_rad);
                           },
+                          [this](const NmeaTelegraph& o) { obeyStep(o.engine, o.step); },
                           [this](const NmeaLever& o) {
-                              const auto shaft = shaftOfEngine(o.engine, m_ship.shafts);
-                              if (!shaft) return;
-                              if (const auto step = m_nmeaLevers[o.engine].moved(o.lever))
-                                  wantStep(*shaft, *step);
+                              const auto [lever, first] = m_nmeaLevers.try_emplace(o.engine);
+                              const auto step = lever->second.moved(o.lever);
+                              if (step || first) obeyStep(o.engine, step.value_or(nearestStep(o.lever)));
                           },
-                          [this](const NmeaThruster& o) { wantThruster(o.thrust); },
-                          [this](const NmeaHorn& o) { Q_EMIT hornWanted(o.on); },
-                          [this](const NmeaLook& o) { Q_EMIT lookWanted(o.yaw_radps); },
-                          [this](const NmeaAcknowledge&) { Q_EMIT acknowledgeWanted(); },
-                          [this](const NmeaBookmark&) { Q_EMIT bookmarkWanted(); }},
+                          [this](const NmeaThruster& o) {
+                              if (!isNew(kThruster, o.thrust)) return;
+                              Q_EMIT anyActivity();
+                              wantThruster(o.thrust);
+                          },
+                          [this](const NmeaHorn& o) {
+                              if (!isNew(kHorn, o.on ? 1.0 : 0.0)) return;
+                              Q_EMIT anyActivity();
+                              Q_EMIT hornWanted(o.on);
+                          },
+                          [this](const NmeaLook& o) {
+                              if (!isNew(kLook, o.yaw_radps)) return;
+                              Q_EMIT anyActivity();
+                              Q_EMIT lookWanted(o.yaw_radps);
+                          },
+                          [this](const NmeaAcknowledge&) {
+                              Q_EMIT anyActivity();
+                              Q_EMIT acknowledgeWanted();
+                          },
+                          [this](const NmeaBookmark&) {
+                              Q_EMIT anyActivity();
+                              Q_EMIT bookmarkWanted();
+                          }},
                order);
 }
 
@@ -224,10 +262,16 @@ void BridgeInput::watchKeys(QWidget* window) {
     if (m_window == nullptr && window != nullptr) qApp->installEventFilter(this);
     if (window == nullptr) qApp->removeEventFilter(this);
     m_window = window;
+    letGoKeys();
+}
+
+void BridgeInput::letGoKeys() {
     for (const auto& [key, held] : std::exchange(m_heldKeys, {})) perform(held.first, held.second, false);
 }
 
 bool BridgeInput::eventFilter(QObject* object, QEvent* event) {
+    // Another window will hear of the release.
+    if (event->type() == QEvent::WindowDeactivate && object == m_window) letGoKeys();
     const bool press = event->type() == QEvent::KeyPress;
     if (!press && event->type() != QEvent::KeyRelease) return false;
     const auto* const widget = qobject_cast<QWidget*>(object);

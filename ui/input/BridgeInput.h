@@ -47,6 +47,7 @@ public:
     void setKeys(KeyMap keys) { m_keys = std::move(keys); }
 
     void perform(BridgeAction action, int shaft, bool down);
+    /// A bridge that repeats its orders gives them once: what is as it was is no wish.
     void obey(const NmeaOrder& order);
 
 public Q_SLOTS:
@@ -77,6 +78,9 @@ private:
     void takeAxis(int id, int axis, double raw);
     void takeButton(int id, int button, bool down);
     void letGo(int id);
+    void letGoKeys();
+    bool isNew(int what, double value);
+    void obeyStep(int engine, core::TelegraphStep step);
     void wantHelm(double rudder_rad);
     void wantStep(int shaft, core::TelegraphStep step);
     void shiftStep(int shaft, int steps);
@@ -94,7 +98,8 @@ private:
     double m_helm_rad = 0.0;
     double m_thrust = 0.0;
     std::vector<core::TelegraphStep> m_steps;
-    std::map<int, TelegraphLever> m_nmeaLevers;
+    std::map<int, TelegraphLever> m_nmeaLevers;  ///< by engine
+    std::map<int, double> m_nmeaLast;            ///< last order of each kind
 };
 
 }  // namespace sagara::ui

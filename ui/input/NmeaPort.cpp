@@ -124,15 +124,20 @@ void NmeaPort::openSerial() {
             const QByteArray bytes = m_serial->readAll();
             feed({bytes.constData(), static_cast<std::size_t>(bytes.size())});
         });
-        connect(m_serial.get(), &QSerialPort::errorOccurred, this,
-                [this](QSerialPort::SerialPortError error) {
-                    if (error != QSerialPort::ResourceError) return;
-                    m_inTrouble = tr("%1 is gone; it is looked for again").arg(m_settings.serialPort);
-                    m_serial->close();
-                    m_again->start();
-                    Q_EMIT lost(m_settings.serialPort);
-                    Q_EMIT changed();
-                });
+        // Queued: the port may not be closed from within its own signal. A line that was pulled out shows as
+        // either error, by the kind of its driver.
+        connect(
+            m_serial.get(), &QSerialPort::errorOccurred, this,
+            [this](QSerialPort::SerialPortError error) {
+                const bool gone = error == QSerialPort::ResourceError || error == QSerialPort::ReadError;
+                if (!gone || !m_serial || !m_serial->isOpen()) return;
+                m_serial->close();
+                m_inTrouble = tr("%1 is gone; it is looked for again").arg(m_settings.serialPort);
+                m_again->start();
+                Q_EMIT lost(m_settings.serialPort);
+                Q_EMIT changed();
+            },
+            Qt::QueuedConnection);
     }
     m_serial->setPortName(m_settings.serialPort);
     m_serial->setBaudRate(m_settings.baud);

@@ -69,7 +69,9 @@ void CalibrationPanel::tell() {
                      .arg(100.0 * kLeastTravel, 0, 'f', 0);
     if (m_step->text() != step) m_step->setText(step);
     m_next->setText(middle ? tr("Next") : tr("Done"));
+    if (m_next->isEnabled() == m_run.mayGoOn()) return;
     m_next->setEnabled(m_run.mayGoOn());
+    if (m_next->isEnabled()) m_next->setFocus();  // a disabled one gives the focus to Cancel
 }
 
 void CalibrationPanel::goOn() {

@@ -121,7 +121,7 @@ void ControlsSection::showDevice() {
     m_map = m_input.mapOf(m_device);
     auto* const axes = new QGroupBox(tr("Axes"));
     auto* const axisGrid = new QGridLayout(axes);
-    const QString heads[] = {tr("Axis"),      tr("Live"),     tr("Does"), tr("For"),
+    const QString heads[] = {tr("Axis"),      tr("Live"),     tr("Does"), tr("Shaft"),
                              tr("Dead zone"), tr("Inverted"), {}};
     int column = 0;
     for (const QString& head : heads) axisGrid->addWidget(note(head), 0, column++);
@@ -261,7 +261,7 @@ void ControlsSection::calibrate(int axis) {
     m_calibration =
         new CalibrationPanel(axis, tr("axis %1").arg(axis + 1), m_map.axes[index].calibration, this);
     m_calibration->setColours(Section::palette());
-    layout()->addWidget(m_calibration);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_calibration);
     connect(m_calibration, &CalibrationPanel::cancelled, this, &ControlsSection::endCalibration);
     connect(m_calibration, &CalibrationPanel::found, this, [this, index](const AxisCalibration& found) {
         m_map.axes[index].calibration = found;

@@ -34,7 +34,10 @@ DataSection::DataSection(const DataPlaces& places, QWidget* parent)
     copy->setToolTip(tr("To the clipboard"));
     const QString folder = places.folder;
     connect(copy, &QPushButton::clicked, this, [folder] { QApplication::clipboard()->setText(folder); });
-    form->addRow(copy);
+    auto* const row = new QHBoxLayout;  // a form would stretch it
+    row->addWidget(copy);
+    row->addStretch();
+    form->addRow(row);
     auto* const layout = new QVBoxLayout(this);
     layout->addWidget(group);
     layout->addWidget(note(tr("Another folder is chosen when Sagara is started: sagara --data FOLDER.")));

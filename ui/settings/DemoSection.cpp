@@ -2,6 +2,7 @@
 
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -38,7 +39,10 @@ DemoSection::DemoSection(SettingsStore& store, QWidget* parent)
     form->addRow(tr("PIN"), m_pin);
     form->addRow(m_pinTrouble);
     form->addRow(m_usual);
-    form->addRow(usual);
+    auto* const row = new QHBoxLayout;  // a form would stretch it
+    row->addWidget(usual);
+    row->addStretch();
+    form->addRow(row);
     auto* const layout = new QVBoxLayout(this);
     layout->addWidget(
         note(tr("An exhibition fills the screen and cannot be closed by visitors. To leave it, "

@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QPushButton>
@@ -51,9 +52,18 @@ QWidget* KeyboardSection::group(const QString& title, std::initializer_list<Brid
     for (const BridgeAction action : actions) {
         auto* const field = new QKeySequenceEdit(box);
         field->setObjectName(QStringLiteral("key-%1").arg(QString::fromLatin1(actionName(action))));
-        field->setToolTip(tr("The key for: %1. The cross takes it away.").arg(actionText(action)));
-        field->setClearButtonEnabled(true);
-        form->addRow(actionText(action), field);
+        field->setToolTip(tr("The key for: %1. Click and press it.").arg(actionText(action)));
+        auto* const clear = new QToolButton(box);
+        clear->setText(tr("✕"));
+        clear->setObjectName(QStringLiteral("clear-%1").arg(QString::fromLatin1(actionName(action))));
+        clear->setToolTip(tr("No key for: %1").arg(actionText(action)));
+        clear->setAccessibleName(clear->toolTip());
+        clear->setFocusPolicy(Qt::StrongFocus);
+        connect(clear, &QToolButton::clicked, field, &QKeySequenceEdit::clear);
+        auto* const row = new QHBoxLayout;
+        row->addWidget(field);
+        row->addWidget(clear);
+        form->addRow(actionText(action), row);
         m_fields[action] = field;
         connect(field, &QKeySequenceEdit::keySequenceChanged, this, [this, action] { take(action); });
     }

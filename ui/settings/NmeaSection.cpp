@@ -71,6 +71,10 @@ NmeaSection::NmeaSection(SettingsStore& store, BridgeInput& input, QWidget* pare
         m_baud->addItem(QString::number(baud), baud);
     if (m_baud->findData(now.baud) < 0) m_baud->addItem(QString::number(now.baud), now.baud);
     m_rate->setRange(1, 5);
+    for (QWidget* const field :
+         std::initializer_list<QWidget*>{m_source, m_udpPort, m_baud, m_host, m_outputPort, m_rate})
+        field->setFixedWidth(200);
+    m_serialPort->setFixedWidth(320);
     m_rate->setSuffix(tr(" a second"));
     m_source->setCurrentIndex(m_source->findData(static_cast<int>(now.source)));
     m_udpPort->setValue(now.udpPort);
@@ -105,8 +109,9 @@ QGroupBox* NmeaSection::inputGroup() {
     form->addRow(tr("Comes by"), m_source);
     form->addRow(tr("UDP port"), m_udpPort);
     auto* const serial = new QHBoxLayout;
-    serial->addWidget(m_serialPort, 1);
+    serial->addWidget(m_serialPort);
     serial->addWidget(m_look);
+    serial->addStretch();
     form->addRow(tr("Serial port"), serial);
     form->addRow(tr("Baud rate"), m_baud);
     m_last->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -194,7 +199,7 @@ void NmeaSection::refresh() {
                  : m_port.lastSentence().isEmpty() ? tr("nothing yet")
                                                    : m_port.lastSentence());
     tell(m_counts, off ? tr("nothing")
-                       : tr("%1 orders, %2 other sentences, %3 errors")
+                       : tr("orders: %1, other sentences: %2, errors: %3")
                              .arg(counts.orders)
                              .arg(counts.ignored)
                              .arg(counts.errors));

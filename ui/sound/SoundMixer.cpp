@@ -56,7 +56,7 @@ SoundMixer::Placing SoundMixer::placing(std::size_t source) const {
         case Engines:
             return {m_scene.enginesAt, false, 25.0, 0.55};
         case Wash:
-            return {m_scene.washAt, false, 20.0, 0.5};
+            return {m_scene.washAt, false, 20.0, 0.8};
         case BowWave:
             return {m_scene.bowAt, false, 20.0, 0.5};
         case Wind:
@@ -66,7 +66,7 @@ SoundMixer::Placing SoundMixer::placing(std::size_t source) const {
                     20.0,
                     0.7};
         case Rain:
-            return {{}, true, 1.0, 0.5};
+            return {{}, true, 1.0, 0.9};
         case Horn:
             return {m_scene.hornAt, false, 20.0, 1.0};
         case Bell:

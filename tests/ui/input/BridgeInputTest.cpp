@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -125,8 +126,7 @@ TEST_F(BridgeInputs, OrdersOfAHomeMadeBridgeAreWishesLikeAnyOther) {
     input.nmea().feed(withChecksum("IIROR,-10.0,A,,V,B") + "\r\n" + withChecksum("IIETL,,O,03,,B,1") +
                       "\r\n" + withChecksum("IIETL,,O,00,,B,0") + "\r\n" +
                       withChecksum("IITRC,1,50,P,,V,,B,C") + "\r\n" + withChecksum("PSGR,HORN,1") + "\r\n" +
-                      withChecksum("IIPRC,0,A,,V,,V,B,2") + "\r\n" + withChecksum("IIPRC,-100,A,,V,,V,B,2") +
-                      "\r\n");
+                      withChecksum("IIPRC,-100,A,,V,,V,B,2") + "\r\n");
     EXPECT_NEAR(helm[0][0].toDouble(), -10.0 * core::kDegree_rad, 1e-12);
     ASSERT_EQ(telegraph.size(), 4);
     EXPECT_EQ(telegraph[0][0].toInt(), 1);  // starboard
@@ -137,6 +137,25 @@ TEST_F(BridgeInputs, OrdersOfAHomeMadeBridgeAreWishesLikeAnyOther) {
     EXPECT_EQ(telegraph[3][1].value<TelegraphStep>(), TelegraphStep::FullAstern);
     EXPECT_EQ(thruster[0][0].toDouble(), 0.5);
     EXPECT_TRUE(horn[0][0].toBool());
+}
+
+TEST_F(BridgeInputs, ABridgeThatRepeatsItsOrdersGivesThemOnce) {
+    for (int i = 0; i < 50; ++i) {
+        input.obey(NmeaRudder{0.1});
+        input.obey(NmeaTelegraph{1, TelegraphStep::SlowAhead});
+        input.obey(NmeaLever{2, 0.5});
+        input.obey(NmeaThruster{0.0});
+        input.obey(NmeaHorn{false});
+    }
+    EXPECT_EQ(helm.size(), 1);
+    EXPECT_EQ(telegraph.size(), 2);
+    EXPECT_EQ(thruster.size(), 1);
+    EXPECT_EQ(activity.size(), 5);
+    input.obey(NmeaRudder{0.12});
+    EXPECT_EQ(helm.size(), 2);
+    input.setShip({2, kLimit_rad});
+    input.obey(NmeaRudder{0.12});
+    EXPECT_EQ(helm.size(), 3);  // another ship has not heard it
 }
 
 TEST_F(BridgeInputs, KeysOfTheWatchedWindowAreOrdersExceptInAField) {
@@ -160,8 +179,12 @@ TEST_F(BridgeInputs, KeysOfTheWatchedWindowAreOrdersExceptInAField) {
     EXPECT_EQ(horn.size(), 2);
     EXPECT_EQ(field.text(), QStringLiteral("h"));
     QTest::keyPress(&pane, Qt::Key_H);
+    QEvent away(QEvent::WindowDeactivate);
+    QApplication::sendEvent(&window, &away);
+    EXPECT_EQ(horn.size(), 4);  // another window came in front
+    QTest::keyPress(&pane, Qt::Key_H);
     input.watchKeys(nullptr);
-    EXPECT_EQ(horn.size(), 4);  // let go with the window
+    EXPECT_EQ(horn.size(), 6);  // let go with the window
     QTest::keyClick(&pane, Qt::Key_Left);
     EXPECT_EQ(helm.size(), 2);
 }

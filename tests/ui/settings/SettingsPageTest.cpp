@@ -15,6 +15,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 #include <QUdpSocket>
 #include <cstdlib>
 
@@ -217,7 +218,7 @@ TEST_F(Settings, AKeyIsSetAndOneThatIsTakenIsRefusedWithTheReason) {
     EXPECT_TRUE(find<QLabel>("keys-trouble")->text().contains(QStringLiteral("Rudder 5° to port")));
     EXPECT_EQ(horn->keySequence(), QKeySequence(Qt::Key_F5));
     picture("keyboard");
-    horn->clear();
+    QTest::mouseClick(find<QToolButton>("clear-horn"), Qt::LeftButton);
     EXPECT_FALSE(holderOf(input.keys(), QKeySequence(Qt::Key_F5)));
     QTest::mouseClick(find<QPushButton>("usual-keys"), Qt::LeftButton);
     EXPECT_EQ(input.keys(), usualKeys());
@@ -244,7 +245,8 @@ TEST_F(Settings, NmeaIsListenedToAndItsErrorsAreShown) {
     send("$IIROR,9.9,A,,V,B*00\r\n");
     ASSERT_TRUE(QTest::qWaitFor([this] { return input.nmea().counts().errors == 1; }));
     QTest::qWait(80);
-    EXPECT_EQ(find<QLabel>("nmea-counts")->text(), QStringLiteral("1 orders, 0 other sentences, 1 errors"));
+    EXPECT_EQ(find<QLabel>("nmea-counts")->text(),
+              QStringLiteral("orders: 1, other sentences: 0, errors: 1"));
     EXPECT_EQ(find<QLabel>("nmea-last")->text(), QStringLiteral("$IIROR,9.9,A,,V,B*00"));
     EXPECT_TRUE(find<QLabel>("nmea-error")->text().contains(QStringLiteral("checksum is wrong")));
     picture("nmea");

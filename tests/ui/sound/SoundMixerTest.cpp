@@ -43,6 +43,30 @@ TEST(SoundMixer, EverySourceIsHeardAndNoneClips) {
     }
 }
 
+TEST(SoundMixer, UnderWayNothingDrownsTheRestAndTheHornIsLoudest) {
+    SoundScene scene;  // eight knots, twelve metres of wind a second over the deck, some rain
+    scene.engines = {{90.0, 45.0, 0.45, true}, {90.0, 45.0, 0.45, true}};
+    scene.wash = 0.45;
+    scene.blades_Hz = 6.0;
+    scene.bowWave = 0.5;
+    scene.wind = 0.45;
+    scene.rain = 0.4;
+    scene.horn = scene.alarm = true;
+    SoundMixer mixer;
+    mixer.show(scene);
+    for (std::size_t i = 0; i < SoundMixer::FirstOther; ++i) heard(mixer, i, 2.0);
+    const auto level = [&](std::size_t source) {
+        return mixer.placing(source).gain * test::loudness(heard(mixer, source, 4.0));
+    };
+    const double horn = level(SoundMixer::Horn);
+    for (const auto source : {SoundMixer::Engines, SoundMixer::Wash, SoundMixer::BowWave, SoundMixer::Wind,
+                              SoundMixer::Rain, SoundMixer::Alarm}) {
+        const double below_dB = 20.0 * std::log10(horn / level(source));
+        EXPECT_GT(below_dB, 0.0) << source;
+        EXPECT_LT(below_dB, 34.0) << source;  // 40 dB below would not be heard beside it
+    }
+}
+
 TEST(SoundMixer, WhatStopsDiesAwayAndIsNotFedAnyMore) {
     SoundMixer mixer;
     mixer.show(everything());
