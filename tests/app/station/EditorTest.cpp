@@ -145,6 +145,9 @@ TEST_F(EditorWindow, TheLessonIsRebuiltFromAnEmptyScenarioAndTheDryRunGradesItAl
     hands().openSection("route");
     hands().click("chart-add");
     const core::LocalFrame frame((*lessonWorld)->area.frame);
+    chart::Extent extent;
+    for (const auto& w : (*lessonWorld)->route.waypoints) extent.include(w.position);
+    chart()->fitTo(extent);
     for (const auto& w : (*lessonWorld)->route.waypoints) {
         const QPointF at = chart()->view().toScreen(w.position);
         QTest::mouseClick(chart(), Qt::LeftButton, {}, (at + QPointF(0, 12)).toPoint());
