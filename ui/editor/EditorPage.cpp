@@ -52,17 +52,17 @@ EditorPage::EditorPage(EditorPort& port, const std::string& scenarioId, QWidget*
     connect(m_library, &Library::importWanted, this, &EditorPage::importChosen);
     connect(m_library, &Library::newWanted, this, &EditorPage::begin);
     connect(m_library, &Library::openWanted, this, [this](const std::string& id) {
-        if (const auto trouble = open(id)) show(*trouble);
+        if (const auto trouble = open(id)) say(*trouble);
     });
     connect(&m_draft, &ScenarioDraft::changed, this, &EditorPage::nameTitle);
     connect(&m_draft, &ScenarioDraft::savedChanged, this, &EditorPage::nameTitle);
-    connect(&m_context, &EditorContext::said, this, &EditorPage::show);
+    connect(&m_context, &EditorContext::said, this, &EditorPage::say);
     connect(&m_context, &EditorContext::areaChanged, this, &EditorPage::placeNewShip);
     setColours(PaletteName::Day);
     if (!m_direct) return;
     if (const auto trouble = open(scenarioId)) {
         m_direct = false;
-        show(*trouble);
+        say(*trouble);
     }
 }
 
@@ -134,7 +134,7 @@ void EditorPage::setColours(PaletteName colours) {
     m_workbench->setColours(colours);
 }
 
-void EditorPage::show(const QString& trouble) {
+void EditorPage::say(const QString& trouble) {
     m_status->setText(trouble);
     m_status->setVisible(!trouble.isEmpty());
     m_library->setTrouble(m_stack->currentIndex() == 0 ? trouble : QString());
@@ -160,7 +160,7 @@ std::optional<QString> EditorPage::open(const std::string& id) {
     m_draft.reset(std::move(document), true);
     m_stack->setCurrentIndex(1);
     m_workbench->begin();
-    show({});
+    say({});
     return std::nullopt;
 }
 
@@ -170,7 +170,7 @@ void EditorPage::begin(const NewScenario& choice) {
     m_draft.reset(emptyScenario(choice), false);
     m_stack->setCurrentIndex(1);
     m_workbench->begin();
-    show({});
+    say({});
     placeNewShip();
 }
 
@@ -205,7 +205,7 @@ std::optional<QString> EditorPage::importFile(const QString& name) {
     m_draft.reset(std::move(document), false);
     m_stack->setCurrentIndex(1);
     m_workbench->begin();
-    show(tr("Read from %1. It is not in the database until you save it.").arg(name));
+    say(tr("Read from %1. It is not in the database until you save it.").arg(name));
     return std::nullopt;
 }
 
@@ -233,21 +233,21 @@ bool EditorPage::mayBeReplaced(const std::string& id) {
 bool EditorPage::save() {
     const std::string id = textAt(m_draft.document(), "id");
     if (!core::config::isId(id)) {
-        show(tr("It cannot be saved: its id must be 1 to 60 letters a-z, digits and hyphens."));
+        say(tr("It cannot be saved: its id must be 1 to 60 letters a-z, digits and hyphens."));
         m_workbench->reveal("id");
         return false;
     }
     if (!mayBeReplaced(id)) return false;
     const std::string name = textAt(m_draft.document(), "name", id);
     if (const auto trouble = m_port.save(id, name, textOf(m_draft.document()))) {
-        show(tr("It was not saved: %1").arg(QString::fromStdString(*trouble)));
+        say(tr("It was not saved: %1").arg(QString::fromStdString(*trouble)));
         return false;
     }
     m_storedId = id;
     m_draft.markSaved();
     const auto& validator = m_workbench->validator();
     const bool sound = validator.upToDate() && validator.problems().empty();
-    show(sound || !validator.upToDate() ? tr("Saved as \"%1\".").arg(QString::fromStdString(id))
+    say(sound || !validator.upToDate() ? tr("Saved as \"%1\".").arg(QString::fromStdString(id))
                                         : tr("Saved as \"%1\"; it cannot be run until its problems are mended.").arg(QString::fromStdString(id)));
     return true;
 }
@@ -293,14 +293,14 @@ void EditorPage::saveAs() {
 void EditorPage::importChosen() {
     const QString name = QFileDialog::getOpenFileName(this, tr("Import a scenario"), {}, tr("Scenario (*.json)"));
     if (name.isEmpty()) return;
-    if (const auto trouble = importFile(name)) show(*trouble);
+    if (const auto trouble = importFile(name)) say(*trouble);
 }
 
 void EditorPage::exportChosen() {
     const QString proposal = QString::fromStdString(textAt(m_draft.document(), "id", "scenario")) + QStringLiteral(".json");
     const QString name = QFileDialog::getSaveFileName(this, tr("Export the scenario"), proposal, tr("Scenario (*.json)"));
     if (name.isEmpty()) return;
-    show(exportFile(name).value_or(tr("Written to %1.").arg(name)));
+    say(exportFile(name).value_or(tr("Written to %1.").arg(name)));
 }
 
 bool EditorPage::mayLeave() {
@@ -320,7 +320,7 @@ void EditorPage::toLibrary() {
     m_library->refresh();
     m_stack->setCurrentIndex(0);
     m_draft.reset(Json::object(), true);
-    show({});
+    say({});
 }
 
 }  // namespace sagara::ui::editor

@@ -42,7 +42,7 @@ private:
     void importChosen();
     void exportChosen();
     void toLibrary();
-    void show(const QString& trouble);
+    void say(const QString& text);
     void nameTitle();
     void placeNewShip();
     bool mayBeReplaced(const std::string& id);

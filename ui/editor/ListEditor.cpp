@@ -209,9 +209,11 @@ void ListEditor::showEvent(QShowEvent* event) {
 void ListEditor::fitTable() {
     const int rows = std::clamp(m_model->rowCount(), kFewestRows, std::max(kMostRows, static_cast<int>(spec().fixed)));
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows * 26 + 18);
+    m_table->horizontalHeader()->setStretchLastSection(false);
     m_table->resizeColumnsToContents();
     for (int i = 0; i + 1 < m_model->columnCount(); ++i)
         m_table->setColumnWidth(i, std::clamp(m_table->columnWidth(i), 60, 210));
+    m_table->horizontalHeader()->setStretchLastSection(true);
 }
 
 void ListEditor::load() {

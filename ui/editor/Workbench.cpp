@@ -24,6 +24,7 @@ namespace sagara::ui::editor {
 namespace {
 
 constexpr int kSections_px = 150, kForm_px = 440;
+constexpr int kLaidOut_ms = 60;  ///< the form of a row just chosen has its place then
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* const label = new QLabel(text, parent);
@@ -208,7 +209,7 @@ void Workbench::reveal(const std::string& path) {
         if (!field) return;
         field->focusEntry();
         QScrollArea* const area = m_pages[i].area;
-        QTimer::singleShot(0, field, [area, field] { area->ensureWidgetVisible(field, 0, 40); });
+        QTimer::singleShot(kLaidOut_ms, field, [area, field] { area->ensureWidgetVisible(field, 0, 40); });
         return;
     }
 }
@@ -241,7 +242,8 @@ void Workbench::fitToDraft() {
     for (const auto& w : m_picture.scene.route.waypoints) extent.include(w.position);
     for (const auto& ship : m_picture.scene.ownShips) extent.include(ship.position);
     if (extent.empty) return m_chart->fitArea();
-    const core::NorthEast margin{0.12 * extent.height_m() + 300.0, 0.12 * extent.width_m() + 300.0};
+    const double least_m = extent.height_m() + extent.width_m() < 500.0 ? 1500.0 : 300.0;  // a ship alone: her surroundings
+    const core::NorthEast margin{0.12 * extent.height_m() + least_m, 0.12 * extent.width_m() + least_m};
     extent.include(extent.southWest - margin);
     extent.include(extent.northEast + margin);
     m_chart->fitTo(extent);
