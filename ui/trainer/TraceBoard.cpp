@@ -38,7 +38,8 @@ struct Span {
 
 /// All values seen, zero and the least of the look; in steps, so that the axis does not creep.
 Span spanOf(const std::vector<TraceSeries::Sample>& samples, double from_s, std::size_t trace) {
-    double low = -kLooks[trace].least, high = kLooks[trace].least;
+    double low = static_cast<Trace>(trace) == Trace::SpeedKept ? 0.0 : -kLooks[trace].least;
+    double high = kLooks[trace].least;
     for (const TraceSeries::Sample& s : samples) {
         const double value = s.values[trace];
         if (s.time_s < from_s || std::isnan(value)) continue;
