@@ -71,7 +71,8 @@ QWidget* ClassroomPanel::motionButtons() {
     m_all->setObjectName(QStringLiteral("free-all"));
     m_all->setToolTip(tr("The ship moves as she does at sea"));
     connect(m_all, &QPushButton::clicked, this, [this] { order(core::kAllMotions); });
-    grid->addWidget(m_all, 2, 0, 1, 3);
+    grid->addWidget(m_all, 0, 3, 2, 1);
+    m_all->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     return box;
 }
 

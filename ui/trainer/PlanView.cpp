@@ -85,10 +85,15 @@ void PlanView::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), c.surface);
     const double px_perM =
-        std::min(0.60 * height() / m_ship.hull.length_m, 0.8 * width() / m_ship.hull.length_m);
+        std::min((height() - 70.0) / m_ship.hull.length_m, 0.8 * width() / m_ship.hull.length_m);
+    const Lettering words{11.0, c.text, QColor(0, 0, 0, 0), false, false};
+    double named_px = 0.0;  // the forces' names stand at the left, the ship in the middle of the rest
+    if (!m_forces.empty()) {
+        drawForceLegend(painter, {6.0, 6.0}, m_forces, m_scale_NPerPx, words, c.surface);
+        named_px = 6.0 + forceLegendSize_px(m_forces, words).width();
+    }
     painter.save();
-    // The forces' names stand at the left; the ship a little to the right of the middle.
-    painter.translate(0.56 * width(), 0.5 * height() + 6.0);
+    painter.translate(named_px + 0.5 * (width() - named_px), 0.5 * height() - 14.0);
     drawShip(painter, px_perM);
     drawMotion(painter, px_perM);
     for (const ShownForce& force : m_forces) {
@@ -98,8 +103,6 @@ void PlanView::paintEvent(QPaintEvent*) {
     }
     painter.restore();
 
-    const Lettering words{11.0, c.text, QColor(0, 0, 0, 0), false, false};
-    if (!m_forces.empty()) drawForceLegend(painter, {6.0, 6.0}, m_forces, m_scale_NPerPx, words, c.surface);
     const auto pivot_m = pivotAhead_m(m_motion);
     const QString pivot = pivot_m && std::abs(*pivot_m) < 1000.0
                               ? (*pivot_m >= 0.0 ? tr("Pivot point %1 m ahead of midship (%2 %)")

@@ -19,7 +19,7 @@ public:
     void show(const core::ShipMotion& motion, double rudder_rad, std::vector<ShownForce> forces);
     using QWidget::show;
 
-    QSize minimumSizeHint() const override { return {240, 260}; }
+    QSize minimumSizeHint() const override { return {240, 210}; }
     QSize sizeHint() const override { return {320, 320}; }
 
 protected:

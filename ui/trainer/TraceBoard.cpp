@@ -38,7 +38,8 @@ struct Span {
 
 /// All values seen, zero and the least of the look; in steps, so that the axis does not creep.
 Span spanOf(const std::vector<TraceSeries::Sample>& samples, double from_s, std::size_t trace) {
-    double low = -kLooks[trace].least, high = kLooks[trace].least;
+    double low = static_cast<Trace>(trace) == Trace::SpeedKept ? 0.0 : -kLooks[trace].least;
+    double high = kLooks[trace].least;
     for (const TraceSeries::Sample& s : samples) {
         const double value = s.values[trace];
         if (s.time_s < from_s || std::isnan(value)) continue;
@@ -86,8 +87,8 @@ void TraceBoard::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), c.surface);
     constexpr double kFoot = 18.0, kHead = 16.0;
     const double high = (height() - kFoot) / static_cast<double>(kTraces);
-    const Lettering words{11.5, c.text, QColor(0, 0, 0, 0), false, false};
-    const Lettering strong{11.5, c.text, QColor(0, 0, 0, 0), true, false};
+    const Lettering words{11.0, c.text, c.section, false, false};
+    const Lettering strong{11.0, c.text, c.section, true, false};
     const Lettering quiet{9.5, c.quietText, QColor(0, 0, 0, 0), false, false};
     static const std::vector<TraceSeries::Sample> kNone;
     const auto& samples = m_series == nullptr ? kNone : m_series->samples();
@@ -100,10 +101,7 @@ void TraceBoard::paintEvent(QPaintEvent*) {
     for (std::size_t i = 0; i < kTraces; ++i) {
         const auto trace = static_cast<Trace>(i);
         const double top = high * static_cast<double>(i);
-        drawText(painter, {left, top + 0.5 * kHead + 1.0}, Qt::AlignVCenter, title(trace), words);
-        drawText(painter, {width() - 6.0, top + 0.5 * kHead + 1.0}, Qt::AlignRight | Qt::AlignVCenter,
-                 valueNow(trace), strong);
-        const QRectF box(left, top + kHead, wide, high - kHead - 3.0);
+        const QRectF box(left, top + 1.0, wide, high - 4.0);
         painter.fillRect(box, c.section);
         const Span span = spanOf(samples, from_s, i);
         const auto y = [&](double value) {
@@ -133,6 +131,9 @@ void TraceBoard::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(c.series[i % c.series.size()], 1.7));
         painter.setBrush(Qt::NoBrush);
         painter.drawPath(path);
+        drawText(painter, {left + 4.0, box.top() + 0.5 * kHead}, Qt::AlignVCenter, title(trace), words);
+        drawText(painter, {box.right() - 4.0, box.top() + 0.5 * kHead}, Qt::AlignRight | Qt::AlignVCenter,
+                 valueNow(trace), strong);
     }
     for (const double part : {0.0, 0.5, 1.0}) {
         const double back_s = m_span_s * (1.0 - part);

@@ -23,7 +23,7 @@ public:
     static QString title(Trace trace);
     QString valueNow(Trace trace) const;
 
-    QSize minimumSizeHint() const override { return {240, 8 * 40 + 18}; }
+    QSize minimumSizeHint() const override { return {240, 8 * 35 + 18}; }
     QSize sizeHint() const override { return {320, 8 * 52 + 18}; }
 
 protected:

@@ -31,10 +31,11 @@ public:
     static constexpr double kLongest_s = 900.0;
 
 private:
-    double speedKept_percent(const core::ShipMotion& motion);
+    double speedKept_percent(double passed_s, const core::ShipMotion& motion);
 
     std::vector<Sample> m_samples;
-    std::optional<double> m_speedBefore;
+    std::optional<double> m_speedBefore;  ///< mean of a while, for waves make it go up and down
+    double m_meanTurn_radps = 0.0;        ///< likewise
     bool m_turning = false;
 };
 

@@ -62,7 +62,8 @@ TrafficModel::Row TrafficModel::rowOf(const core::Snapshot& now, std::size_t tar
     row.position = seen->position;
     row.heading_rad = seen->heading_rad;
     row.speed_mps = seen->speed_mps;
-    row.stopped = seen->speed_mps < 0.2;
+    // Who is stopped under way is not under command (core::activityNow).
+    row.stopped = seen->activity == core::Activity::NotUnderCommand || seen->speed_mps < 0.2;
     row.doing = activityText(seen->activity);
     if (now.ships.empty()) return row;
     const RangeBearing from = measure(m_world.area.frame, now.ships[0].motion.position(), seen->position);

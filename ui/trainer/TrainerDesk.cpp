@@ -161,7 +161,7 @@ void TrainerDesk::addNoteTools(QToolBar& bar) {
                 tr("Mark this moment for the debriefing (Ctrl+B)"));
     mark->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_B));
     connect(mark, &QAction::triggered, m_notes, &NotesPanel::bookmark);
-    QAction* const note = addTool(bar, QStringLiteral("note"), tr("Note"), QStringLiteral("route-planning"),
+    QAction* const note = addTool(bar, QStringLiteral("note"), tr("Note"), QStringLiteral("waypoint-edit-iec"),
                                   tr("Write a note to this moment (Ctrl+N)"));
     note->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_N));
     connect(note, &QAction::triggered, this, [this] {
@@ -189,7 +189,7 @@ void TrainerDesk::addPanels() {
     m_rail->add(QStringLiteral("traffic"), tr("Traffic"), QStringLiteral("ship"), m_traffic, false);
     if (m_class != nullptr)
         m_rail->add(QStringLiteral("class"), tr("Class"), QStringLiteral("user-profiles"), m_class);
-    m_rail->add(QStringLiteral("notes"), tr("Notes"), QStringLiteral("route-planning"), m_notes, false);
+    m_rail->add(QStringLiteral("notes"), tr("Notes"), QStringLiteral("waypoint-edit-iec"), m_notes, false);
 }
 
 void TrainerDesk::addPanel(const QString& name, const QString& title, const QString& icon, QWidget* panel) {

@@ -4,6 +4,7 @@
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/chart/Format.h"
 #include "ui/widgets/AreaLayers.h"
@@ -75,7 +76,8 @@ void drawMap(QPainter& painter, const QRectF& box, const ChartSheet& sheet, doub
     painter.setClipRect(QRectF(QPointF(), box.size()));
     painter.fillRect(QRectF(QPointF(), box.size()), Qt::white);
     ChartCanvas canvas(painter, view, chartPalette(PaletteName::Day), sheet.shown, kLetter, kUnit_mm);
-    denominator = canvas.denominator;
+    const double figures = std::pow(10.0, std::floor(std::log10(canvas.denominator)) - 2.0);
+    denominator = figures * std::round(canvas.denominator / figures);
     const double radius = std::min(110.0, 0.16 * std::min(box.width(), box.height()));
     const QPointF rose = placeOfRose(canvas, sheet.scene, radius);
     for (const QRectF& name : drawArea(canvas, *sheet.chart)) canvas.labels.block(name);

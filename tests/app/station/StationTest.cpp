@@ -296,6 +296,25 @@ TEST_F(StationWindow, TheWallIsStartedAndStoppedFromTheDesk) {
     QTest::mouseClick(find<QPushButton>("wall-start"), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !wall.status().running; }, 10'000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return layout->isEnabled(); }, 5'000));
+TEST_F(StationWindow, AShipThatIsAddedIsSeenInTheViews) {
+    openDesk();
+    const core::ShipMotion own = run().latest()->ships[0].motion;
+    core::AddTargetOrder order;
+    order.name = "Sea Star";
+    order.type = core::TargetType::Ferry;
+    order.position = own.position() + 130.0 * core::unitVector(own.heading_rad + 0.25);
+    order.heading_rad = own.heading_rad + 1.5;
+    order.speed_mps = 2.0;
+    order.length_m = 60.0;
+    order.beam_m = 12.0;
+    order.draught_m = 3.0;
+    run().give(0, order);
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->added.size() == 1; }, 10'000));
+    QTest::qWait(1500);  // some pictures
+    desk()->refresh();
+    EXPECT_TRUE(logSays(QStringLiteral("Sea Star appears")));
+    keepPicture("desk-added-ship.png");
 }
 
 TEST_F(StationWindow, AfterTheEndNothingCanBeOrdered) {

@@ -18,10 +18,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "SteppedRun.h"
 #include "core/base/Angle.h"
 #include "core/base/Units.h"
 #include "tests/support/exercise/Lesson.h"
-#include "tests/ui/trainer/SteppedRun.h"
 #include "ui/theme/Theme.h"
 #include "ui/trainer/ClassroomPanel.h"
 #include "ui/trainer/TraceBoard.h"
@@ -178,7 +178,7 @@ TEST_F(Desk, AShipIsAddedWhereIsClickedSteeredMovedAndTakenAway) {
 
     press("target-stop");
     EXPECT_EQ(last<core::TargetOrder>().action, core::TargetAction::Stop);
-    sail(60.0);
+    sail(1.0);
     EXPECT_EQ(find<QPushButton>("target-stop")->text(), QStringLiteral("Go on"));
     press("target-there");
     EXPECT_EQ(last<core::TargetOrder>().action, core::TargetAction::Remove);
@@ -325,20 +325,29 @@ TEST(TraceSeries, TheSpeedKeptInATurnIsOfTheSpeedBeforeIt) {
     TraceSeries series;
     core::ShipMotion m;
     m.surge_mps = 8.0;
-    for (int i = 0; i < 10; ++i) series.add(i, m);
-    EXPECT_TRUE(std::isnan(series.samples().back().values[static_cast<std::size_t>(Trace::SpeedKept)]));
-    m.yawRate_radps = 1.0 * core::kDegree_rad;
+    double time_s = 0.0;
+    const auto sail = [&](double seconds, double turn_degps) {
+        for (const double end_s = time_s + seconds; time_s < end_s; time_s += 0.2) {
+            m.yawRate_radps = turn_degps * core::kDegree_rad;
+            series.add(time_s, m);
+        }
+    };
+    const auto now = [&](Trace trace) {
+        return series.samples().back().values[static_cast<std::size_t>(trace)];
+    };
+    sail(30.0, 0.0);
+    EXPECT_TRUE(std::isnan(now(Trace::SpeedKept)));
+    for (int i = 0; i < 8; ++i) sail(2.0, i % 2 == 0 ? 1.0 : -1.0);  // yawing in waves is no turn
+    EXPECT_TRUE(std::isnan(now(Trace::SpeedKept)));
+    sail(6.0, 1.0);
     m.surge_mps = 6.0;
     m.sway_mps = -1.0;
-    series.add(11.0, m);
-    const auto& values = series.samples().back().values;
-    EXPECT_NEAR(values[static_cast<std::size_t>(Trace::SpeedKept)], 100.0 * std::hypot(6.0, 1.0) / 8.0, 1e-9);
-    EXPECT_NEAR(values[static_cast<std::size_t>(Trace::Drift)], std::atan2(-1.0, 6.0) / core::kDegree_rad,
-                1e-9);
-    EXPECT_NEAR(values[static_cast<std::size_t>(Trace::Yaw)], 60.0, 1e-9);
-    EXPECT_NEAR(*series.speedBefore_mps(), 8.0, 1e-9);
-    m.yawRate_radps = 0.0;
-    series.add(12.0, m);
+    sail(10.0, 1.0);
+    EXPECT_NEAR(now(Trace::SpeedKept), 100.0 * std::hypot(6.0, 1.0) / 8.0, 0.01);
+    EXPECT_NEAR(now(Trace::Drift), std::atan2(-1.0, 6.0) / core::kDegree_rad, 1e-9);
+    EXPECT_NEAR(now(Trace::Yaw), 60.0, 1e-9);
+    EXPECT_NEAR(series.speedBefore_mps().value_or(0.0), 8.0, 1e-6);
+    sail(40.0, 0.0);
     EXPECT_FALSE(series.speedBefore_mps());
     series.add(3.0, m);  // back in time
     EXPECT_EQ(series.samples().size(), 1u);

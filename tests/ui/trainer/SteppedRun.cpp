@@ -1,4 +1,4 @@
-#include "tests/ui/trainer/SteppedRun.h"
+#include "SteppedRun.h"
 
 #include <cmath>
 
