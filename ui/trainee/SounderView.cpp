@@ -127,7 +127,8 @@ void SounderView::paintEvent(QPaintEvent*) {
     }
     if (m_alarm_m < scale_m) {
         const double y = box.top() + m_alarm_m / scale_m * box.height();
-        painter.setPen(QPen(colours().caution, 1.8, Qt::DashLine));
+        const bool dark = contrast(colours().alarm, colours().window) < 3.0;  // by night
+        painter.setPen(QPen(dark ? colours().caution : colours().alarm, 1.8, Qt::DashLine));
         painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     }
 }
