@@ -14,6 +14,7 @@
 #include "ui/chart/Format.h"
 #include "ui/widgets/ChartPalette.h"
 #include "ui/widgets/ChartWidget.h"
+#include "ui/widgets/ScreenText.h"
 
 namespace sagara::ui::console {
 namespace {
@@ -101,9 +102,6 @@ void BearingOverlay::paintEvent(QPaintEvent*) {
     const QSizeF shown = m_chart.view().size();
     painter.setClipRect(QRectF(QPointF(), shown));
     const ChartPalette& colours = chartPalette(m_chart.colours());
-    QFont letters = font();
-    letters.setPixelSize(QFontInfo(font()).pixelSize());
-    painter.setFont(letters);
     for (const Bearing& b : m_bearings) {
         const QPointF from = m_chart.view().toScreen(b.from);
         const QPointF to = m_chart.view().toScreen(b.from + kLine_m * core::unitVector(b.grid_rad));
@@ -116,7 +114,9 @@ void BearingOverlay::paintEvent(QPaintEvent*) {
         const double far = std::hypot(to.x() - from.x(), to.y() - from.y());
         if (far <= 0.0) continue;
         const QPointF at = from + 70.0 / far * (to - from) + QPointF(6.0, -6.0);
-        painter.drawText(at, QStringLiteral("%1°").arg(chart::bearing(b.true_rad / core::kDegree_rad)));
+        drawText(painter, at, Qt::AlignLeft,
+                 QStringLiteral("%1°").arg(chart::bearing(b.true_rad / core::kDegree_rad)),
+                 {QFontInfo(font()).pixelSize() * 1.0, colours.tool, colours.halo, true, false});
     }
 }
 

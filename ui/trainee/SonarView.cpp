@@ -48,7 +48,7 @@ QColor SonarView::bottomColour(double depth_m) const {
 
 void SonarView::drawSector(QPainter& painter, const QRectF& box) {
     const RadarColours& c = radarColours(palette());
-    const double dim = palette() == PaletteName::Night ? 0.5 : palette() == PaletteName::Dusk ? 0.8 : 1.0;
+    const double dim = palette() == PaletteName::Night ? 0.75 : palette() == PaletteName::Dusk ? 0.8 : 1.0;
     const double radius = std::min(box.height() - 14.0, 0.5 * box.width() / kSide - 2.0);
     const QPointF origin(box.center().x(), box.top() + 8.0 + 0.5 * (box.height() - 14.0 - radius) + radius);
     const int w = std::max(2, static_cast<int>(2.0 * kSide * radius)),

@@ -100,9 +100,11 @@ void SounderView::paintEvent(QPaintEvent*) {
     const auto& depth_m = soundings.back().depth_m;
     const bool shallow = depth_m && *depth_m < m_alarm_m;
     const QRectF value(frame.left(), frame.top(), frame.width(), 2.6 * letters);
+    if (shallow)
+        painter.fillRect(QRectF(value.left(), value.top(), 9.0 * letters, value.height()), colours().alarm);
     drawWords(painter, value, Qt::AlignLeft | Qt::AlignVCenter,
               depth_m ? tr("%1 m").arg(chart::number(std::floor(*depth_m * 10.0) / 10.0, 1)) : tr("no echo"),
-              2.3 * letters, shallow ? colours().alarm : colours().text, true);
+              2.3 * letters, shallow ? colours().onAlarm : colours().text, true);
     const double scale_m = m_trace.scale_m(m_span_s);
     drawWords(painter, value, Qt::AlignRight | Qt::AlignVCenter,
               tr("scale %1 m, %2 min").arg(scale_m, 0, 'f', 0).arg(m_span_s / 60.0, 0, 'f', 0), letters,
@@ -125,7 +127,8 @@ void SounderView::paintEvent(QPaintEvent*) {
     }
     if (m_alarm_m < scale_m) {
         const double y = box.top() + m_alarm_m / scale_m * box.height();
-        painter.setPen(QPen(colours().alarm, 1.6, Qt::DashLine));
+        const bool dark = contrast(colours().alarm, colours().window) < 3.0;  // by night
+        painter.setPen(QPen(dark ? colours().caution : colours().alarm, 1.8, Qt::DashLine));
         painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     }
 }

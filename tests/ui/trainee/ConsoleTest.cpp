@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
@@ -290,6 +291,27 @@ TEST_F(TraineesConsole, TheChartCanBePrinted) {
     });
     find<QAction>("chart-print")->trigger();
     EXPECT_TRUE(asked);
+}
+
+TEST_F(TraineesConsole, ABeatKeepsTheWindowFree) {
+    takeWatch();
+    auto* const tabs = find<QTabWidget>("console-tabs");
+    for (int tab = 0; tab < 3; ++tab) {
+        tabs->setCurrentIndex(tab);
+        QApplication::processEvents();
+        double worst_ms = 0.0;
+        for (int i = 0; i < 10; ++i) {
+            m_run->sail(1.0);
+            QElapsedTimer clock;
+            clock.start();
+            m_console->drawFrame();
+            m_console->refresh();
+            m_console->grab();
+            worst_ms = std::max(worst_ms, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+        }
+        std::printf("console, tab %d: %.0f ms for all of the window, worst of ten\n", tab, worst_ms);
+        EXPECT_LT(worst_ms, 500.0) << "100 ms on an idle machine";
+    }
 }
 
 TEST_F(TraineesConsole, IsFixedOnceTheExerciseIsOver) {

@@ -52,6 +52,9 @@ TEST(ConsolePictures, EveryTabByDayAndNightAtEverySize) {
     keep(QStringLiteral("briefing-day"));
     console.takeWatch();
     keep(QStringLiteral("console-chart-day"));
+    tabs->setCurrentIndex(2);
+    keep(QStringLiteral("console-harbour-sonar-day"));
+    tabs->setCurrentIndex(0);
     for (int i = 0; i < 14 * 60; i += 5) {
         run.sail(5.0);
         console.refresh();
