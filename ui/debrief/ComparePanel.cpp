@@ -25,13 +25,18 @@ ComparePanel::ComparePanel(QWidget* parent)
     layout->addWidget(m_about);
     layout->addWidget(m_legend);
     m_table->setObjectName(QStringLiteral("compare-table"));
-    m_table->setHorizontalHeaderLabels({tr("From there on"), tr("Sailed"), tr("What if"), tr("Difference")});
+    m_table->setHorizontalHeaderLabels({tr("From then on"), tr("Sailed"), tr("What if"), tr("Difference")});
     m_table->verticalHeader()->hide();
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setWordWrap(true);
     m_table->setToolTip(tr("Click a line to go to its moment"));
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     layout->addWidget(m_table, 1);
     connect(m_table, &QTableWidget::cellClicked, this, [this](int row) {
         const QVariant time = m_table->item(row, 0)->data(Qt::UserRole);
@@ -73,7 +78,6 @@ void ComparePanel::show(const std::vector<ComparisonRow>& rows, const QString& a
         if (r.moment)
             m_table->item(i, 0)->setData(Qt::UserRole, QVariant::fromValue<qlonglong>(r.moment->us));
     }
-    m_table->resizeRowsToContents();
 }
 
 }  // namespace sagara::ui

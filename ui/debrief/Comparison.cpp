@@ -26,7 +26,7 @@ QString difference(double a, double b, int decimals, const QString& unit) {
 
 QString valueAt(double value, int decimals, const QString& unit, std::optional<double> time_s) {
     const QString text = chart::number(value, decimals) + QLatin1Char(' ') + unit;
-    return time_s ? tr("%1 at %2").arg(text, axisTime(*time_s)) : text;
+    return time_s ? tr("%1, %2").arg(text, axisTime(*time_s)) : text;
 }
 
 core::SimTime moment(double time_s) { return {std::llround(1e6 * time_s)}; }

@@ -1,5 +1,6 @@
 #include "ui/debrief/DebriefDesk.h"
 
+#include <QAction>
 #include <QFutureWatcher>
 #include <QKeyEvent>
 #include <QLabel>
@@ -28,6 +29,7 @@
 namespace sagara::ui {
 namespace {
 
+constexpr int kPlot_px = 84;
 constexpr int kIdleEvery = 10;  ///< frames of a picture that stands
 constexpr core::SimTime kMarkSlack{500'000};
 constexpr std::int64_t kTargetWayEvery_ticks = 5 * core::kTicksPerSecond;
@@ -204,13 +206,25 @@ void DebriefDesk::showEvent(QShowEvent* event) {
     m_beat->start();
     if (std::exchange(m_laidOut, true)) return;
     QTimer::singleShot(0, this, [this] {
-        const int side = std::clamp(width() / 5, 270, 400), views = std::clamp(width() / 3, 300, 760);
-        m_across->setSizes({side, width() - side - views, views});
-        const int lower = std::clamp(2 * height() / 5, 250, 460);
-        m_down->setSizes({height() - lower, lower});
+        layOut();
         fitRun();
         setFocus();
     });
+}
+
+/// Room by the size of the window, and by what is done: a table of two runs is wide.
+void DebriefDesk::layOut() {
+    const bool comparing = m_mode == Mode::Comparing;
+    const int side = comparing ? std::clamp(width() / 3, 400, 620) : std::clamp(width() / 5, 280, 420);
+    const int views = comparing ? std::clamp(width() / 5, 240, 600) : std::clamp(width() / 3, 300, 760);
+    m_across->setSizes({side, width() - side - views, views});
+    if (std::exchange(m_plotsChosen, true)) return;
+    const int lower = std::clamp(45 * height() / 100, 320, 500);
+    m_down->setSizes({height() - lower, lower});
+    const int room = (lower - m_transport->height() - m_timeline->height() - 8) / kPlot_px;
+    for (const PlotKind kind : {PlotKind::Heading, PlotKind::UnderKeel})
+        if (static_cast<int>(m_plots->shown().size()) < room)
+            findChild<QAction*>(QStringLiteral("plot-%1").arg(static_cast<int>(kind)))->setChecked(true);
 }
 
 void DebriefDesk::hideEvent(QHideEvent* event) {
@@ -221,12 +235,20 @@ void DebriefDesk::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
 }
 
+/// All of the run, or where the two that are compared differ.
 void DebriefDesk::fitRun() {
     chart::Extent extent;
-    for (const auto& point : m_way) extent.include(point.position);
+    double from_s = 0.0, to_s = 1e12;
+    if (m_mode != Mode::Replay && m_branch) {
+        from_s = m_branch->from().seconds();
+        to_s = m_branch->latest()->time().seconds() + 1.0;
+    }
+    for (const auto& point : m_way)
+        if (point.time_s >= from_s && point.time_s <= to_s) extent.include(point.position);
     for (const core::TrackSample& sample : m_branchTrack)
         if (!sample.ships.empty()) extent.include(sample.ships[0].motion.position());
     if (extent.empty) return m_chart->fitArea();
+    m_chart->follow(false);
     const core::NorthEast margin{0.08 * extent.height_m() + 150.0, 0.08 * extent.width_m() + 150.0};
     extent.include(extent.southWest - margin);
     extent.include(extent.northEast + margin);
@@ -267,10 +289,12 @@ void DebriefDesk::refresh() {
         refreshBranchPlots();
     }
     m_axis->setCursor(shown());
-    m_transport->refresh(m_exactShown);
+    m_transport->refresh(m_mode == Mode::Sailing, m_exactShown);
     m_score->setNow(shown());
     if (m_instruments != nullptr) m_instruments->show(now);
-    refreshChart(now);
+    const bool changed = m_chartShows != std::pair(m_picture.time.us, m_picture.exact);
+    if (changed || m_trackedTo_s < 0) refreshChart(now);
+    m_chartShows = {m_picture.time.us, m_picture.exact};
     takeOrders();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 #include <memory>
 
@@ -82,6 +83,7 @@ private:
     void tell(const QString& words);
     void readMarks();
     void takeOrders();
+    void layOut();
     void fitRun();
     void setMode(Mode mode);
 
@@ -92,6 +94,7 @@ private:
     void refreshBranchPlots();
     void startBranchWhenReady();
     void showComparison();
+    void showShip();
 
     DebriefPorts m_ports;
     std::unique_ptr<Replay> m_replay;
@@ -124,11 +127,13 @@ private:
     std::optional<core::SimTime> m_beyond;  ///< compared beyond the end of the recording
     core::SimTime m_noteAt;
     std::int64_t m_trackedTo_s = -1;
-    std::int64_t m_branchPlottedAt_us = -1;
+    QElapsedTimer m_branchPlotted;  ///< not valid: to be done
     bool m_exactShown = false;
     bool m_sailWanted = false;
     bool m_haveOrders = false;
     bool m_laidOut = false;
+    bool m_plotsChosen = false;
+    std::pair<std::int64_t, bool> m_chartShows{-1, false};  ///< time of the picture, whether exact
     int m_idleFrames = 0;
 };
 

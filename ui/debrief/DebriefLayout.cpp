@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -102,7 +103,7 @@ DebriefDesk::DebriefDesk(const DebriefPorts& ports, OpenedRecording opened, QWid
     }
     m_left->addWidget(tabs);
     m_left->addWidget(m_compare);
-    m_left->setMinimumWidth(270);
+    m_left->setMinimumWidth(280);
 
     m_across->addWidget(m_left);
     m_across->addWidget(chartPanel());
@@ -263,10 +264,15 @@ QWidget* DebriefDesk::lowerPanel() {
     connect(drop, &QPushButton::clicked, this, [this] { addNote(false); });
     m_noteBar->hide();
     layout->addWidget(m_noteBar);
-    layout->addWidget(m_timeline);
     QScrollArea* const plots = scrolled(m_plots);
+    // The timeline is as wide as the plots beside their scroll bar, so that their moments lie below its own.
+    auto* const times = new QHBoxLayout;
+    times->setSpacing(0);
+    times->addWidget(m_timeline, 1);
+    times->addSpacing(plots->verticalScrollBar()->sizeHint().width());
+    layout->addLayout(times);
     plots->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    plots->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    plots->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     plots->setMinimumHeight(90);
     m_plots->setMinimumHeight(m_plots->minimumSizeHint().height());
     layout->addWidget(plots, 1);

@@ -117,7 +117,7 @@ PlotAxis PlotStack::axisOf(PlotKind kind) const {
     std::vector<const Plot*> plots;
     if (m_data) plots.push_back(&m_data->of(kind));
     if (m_other) plots.push_back(&m_other->of(kind));
-    return plotAxis(kind, plots, std::max(1, static_cast<int>(plotArea(0).height() / 17.0)));
+    return plotAxis(kind, plots, std::max(1, static_cast<int>(plotArea(0).height() / 14.0)));
 }
 
 QPen PlotStack::penOf(const PlotCurve& curve, std::size_t nth, bool other) const {

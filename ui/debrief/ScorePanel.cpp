@@ -19,10 +19,11 @@ constexpr int kTimeRole = Qt::UserRole;
 
 core::SimTime simTime(double time_s) { return {std::llround(1e6 * time_s)}; }
 
+/// Two lines: the panel is narrow.
 QString lossText(const ReplayResult::Loss& loss) {
-    return ScorePanel::tr("%1: %2 %3 %4, limit %5")
-        .arg(QString::fromStdString(loss.title), QString::fromStdString(loss.quantity),
-             chart::number(loss.value, 2), QString::fromStdString(loss.unit), chart::number(loss.limit, 2));
+    return ScorePanel::tr("%1\n%2 %3, limit %4")
+        .arg(QString::fromStdString(loss.title), chart::number(loss.value, 2),
+             QString::fromStdString(loss.unit), chart::number(loss.limit, 2));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ ScorePanel::ScorePanel(QWidget* parent)
     m_list->setRootIsDecorated(false);
     m_list->setIndentation(0);
     m_list->setUniformRowHeights(false);
-    m_list->setWordWrap(true);
+    m_list->setTextElideMode(Qt::ElideRight);
     m_list->setToolTip(tr("Click a line, or press Enter on it, to go to its moment"));
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(Time, QHeaderView::ResizeToContents);
@@ -125,6 +126,7 @@ void ScorePanel::fill() {
             line(loss.time_s, true, lossText(loss),
                  loss.fails ? tr("fails") : QStringLiteral("−%1").arg(chart::number(loss.points, 0)));
         item->setForeground(Points, c.port);
+        item->setToolTip(What, tr("%1: %2").arg(QString::fromStdString(loss.quantity), lossText(loss)));
     }
     if (!m_notes.empty()) header(tr("Notes"));
     for (const DebriefMark& note : m_notes) line(note.time.seconds(), true, note.text, {});

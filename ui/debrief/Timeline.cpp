@@ -117,19 +117,8 @@ void Timeline::paintEvent(QPaintEvent*) {
         p.drawText(QRectF(x - 60, 1, 120, line_px), Qt::AlignCenter, axisTime(t));
     }
     p.setClipRect(QRectF(TimeAxis::kLeft_px - 8, 0, right_px - TimeAxis::kLeft_px + 16, height()));
-    double wordsTo_px = 0.0;
-    for (const DebriefMark& mark : m_marks) {
-        const QPointF at = placeOf(mark);
-        drawMarkSign(p, at, mark.kind, 0.36 * line_px, c);
-        if (mark.kind != MarkKind::Deduction) continue;
-        const QString points = QStringLiteral("−%1").arg(mark.points, 0, 'f', 0);
-        const QRectF box(at.x() + 0.5 * line_px, at.y() - 0.5 * line_px,
-                         fontMetrics().horizontalAdvance(points), line_px);
-        if (box.left() - line_px < wordsTo_px) continue;  // no room beside the one before
-        wordsTo_px = box.right();
-        p.setPen(markColour(mark.kind, c));
-        p.drawText(box, Qt::AlignVCenter | Qt::AlignLeft, points);
-    }
+    for (const DebriefMark& mark : m_marks) drawMarkSign(p, placeOf(mark), mark.kind, 0.36 * line_px, c);
+    drawPoints(p);
     const double x = m_axis.x(m_axis.cursor().seconds(), width());
     p.setPen(QPen(c.accent, 2));
     p.drawLine(QPointF(x, 2), QPointF(x, bottom_px));
@@ -141,6 +130,24 @@ void Timeline::paintEvent(QPaintEvent*) {
         p.setPen(QPen(c.focus, 2));
         p.setBrush(Qt::NoBrush);
         p.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+    }
+}
+
+/// What deductions cost, beside their signs; of those that lie close together the sum.
+void Timeline::drawPoints(QPainter& p) const {
+    const double line_px = fontMetrics().height(), room_px = 2.6 * line_px;
+    std::vector<const DebriefMark*> deductions;
+    for (const DebriefMark& mark : m_marks)
+        if (mark.kind == MarkKind::Deduction) deductions.push_back(&mark);
+    p.setPen(markColour(MarkKind::Deduction, themeColours(m_colours)));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < deductions.size(); ++i) {
+        const QPointF at = placeOf(*deductions[i]);
+        sum += deductions[i]->points;
+        if (i + 1 < deductions.size() && placeOf(*deductions[i + 1]).x() - at.x() < room_px) continue;
+        p.drawText(QRectF(at.x() + 0.5 * line_px, at.y() - 0.5 * line_px, 4.0 * line_px, line_px),
+                   Qt::AlignVCenter | Qt::AlignLeft, QStringLiteral("−%1").arg(sum, 0, 'f', 0));
+        sum = 0.0;
     }
 }
 
@@ -175,14 +182,27 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
 bool Timeline::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
     const auto* const help = static_cast<QHelpEvent*>(event);
-    const DebriefMark* const mark = markAt(help->pos());
-    const QString time = elapsed(mark != nullptr ? mark->time : m_axis.timeAt(help->pos().x(), width()));
-    QToolTip::showText(help->globalPos(),
-                       mark != nullptr
-                           ? QStringLiteral("%1  %2").arg(time, mark->text)
-                           : tr("%1: click to go there; the wheel zooms, a double click shows all").arg(time),
-                       this);
+    QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
     return true;
+}
+
+/// The marks under the mouse, or what can be done here.
+QString Timeline::tipAt(QPointF at) const {
+    constexpr int kMost = 6;
+    QStringList lines;
+    int more = 0;
+    for (const DebriefMark& mark : m_marks) {
+        const QPointF off = placeOf(mark) - at;
+        if (std::abs(off.y()) > 0.5 * laneHeight_px() || std::abs(off.x()) > kReach_px) continue;
+        if (lines.size() == kMost)
+            ++more;
+        else
+            lines << QStringLiteral("%1  %2").arg(elapsed(mark.time), mark.text);
+    }
+    if (more > 0) lines << tr("and %1 more: zoom with the wheel").arg(more);
+    if (!lines.isEmpty()) return lines.join(QLatin1Char('\n'));
+    return tr("%1: click to go there; the wheel zooms, a double click shows all")
+        .arg(elapsed(m_axis.timeAt(at.x(), width())));
 }
 
 }  // namespace sagara::ui

@@ -44,6 +44,8 @@ protected:
 
 private:
     const DebriefMark* markAt(QPointF at) const;
+    QString tipAt(QPointF at) const;
+    void drawPoints(QPainter& p) const;
     double laneHeight_px() const;
     double laneMiddle_px(int lane) const;
 

@@ -105,10 +105,10 @@ void TransportBar::setReplay(Replay& replay) {
         replay.exact()
             ? tr("What if: take the ship at this second and sail on; this recording stays as it is")
             : tr("Only a run of this build of Sagara can be sailed on"));
-    refresh(false);
+    refresh(false, false);
 }
 
-void TransportBar::refresh(bool exactShown) {
+void TransportBar::refresh(bool sailing, bool exactShown) {
     if (m_replay == nullptr) return;
     const QString icon =
         m_replay->playing() ? QStringLiteral("media-pause-google") : QStringLiteral("media-play-google");
@@ -118,6 +118,7 @@ void TransportBar::refresh(bool exactShown) {
     }
     m_clock->setText(tr("%1 / %2").arg(elapsed(m_replay->now()), elapsed(m_replay->end())));
     m_place->setText(tr("%1 local").arg(localTime(*m_replay->world(), m_replay->now())));
+    if (sailing) return m_source->setText(tr("what if is sailed"));
     if (!m_replay->exact()) {
         m_source->setText(tr("recorded track"));
         m_source->setToolTip(tr("Of another build: the recorded track, five samples a second"));

@@ -21,7 +21,8 @@ public:
 
     void setColours(PaletteName name);
     void setReplay(Replay& replay);
-    void refresh(bool exactShown);
+    /// `sailing`: something else is sailed meanwhile.
+    void refresh(bool sailing, bool exactShown);
 
 Q_SIGNALS:
     void stepWanted(double seconds);

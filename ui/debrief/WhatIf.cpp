@@ -18,7 +18,8 @@
 namespace sagara::ui {
 namespace {
 
-constexpr std::int64_t kPlotEvery_us = 1'000'000;  ///< of the exercise
+constexpr qint64 kPlotEvery_ms = 1000;
+constexpr double kAround_m = 900.0;  ///< of the ship, shown when she is taken
 
 }  // namespace
 
@@ -60,6 +61,7 @@ void DebriefDesk::startBranchWhenReady() {
     connect(m_sail, &SailPanel::endWanted, this, &DebriefDesk::endBranch, Qt::QueuedConnection);
     tell({});
     setMode(Mode::Sailing);
+    showShip();
 }
 
 void DebriefDesk::setMode(Mode mode) {
@@ -69,15 +71,27 @@ void DebriefDesk::setMode(Mode mode) {
     m_transport->setEnabled(mode != Mode::Sailing);
     m_timeline->setBranch(m_branch ? std::optional(m_branch->from()) : std::nullopt);
     m_beyond.reset();
-    m_branchPlottedAt_us = -1;
+    m_branchPlotted.invalidate();
     refreshTracks();
     refresh();
+    layOut();
+}
+
+/// Who sails wants to see the water about the ship.
+void DebriefDesk::showShip() {
+    const auto now = m_branch->latest();
+    if (now->ships.empty()) return;
+    const core::NorthEast at = now->ships[0].motion.position(), margin{kAround_m, kAround_m};
+    chart::Extent extent;
+    extent.include(at - margin);
+    extent.include(at + margin);
+    m_chart->fitTo(extent);
+    m_chart->follow(true);
 }
 
 void DebriefDesk::refreshBranchPlots() {
-    const std::int64_t now_us = m_branch->latest()->time().us;
-    if (m_branchPlottedAt_us >= 0 && now_us - m_branchPlottedAt_us < kPlotEvery_us) return;
-    m_branchPlottedAt_us = now_us;
+    if (m_branchPlotted.isValid() && m_branchPlotted.elapsed() < kPlotEvery_ms) return;
+    m_branchPlotted.start();
     m_branchTrack = m_branch->track();
     m_plots->setOther(std::make_shared<const PlotData>(plotData(*m_replay->world(), m_branchTrack, nullptr)));
     refreshTracks();
@@ -130,6 +144,7 @@ void DebriefDesk::sailOn() {
     if (!m_branch || m_branch->over()) return;
     m_replay->pause();
     setMode(Mode::Sailing);
+    showShip();
 }
 
 void DebriefDesk::endBranch() {
@@ -149,6 +164,7 @@ void DebriefDesk::endBranch() {
     m_axis->showAll();
     m_replay->seek(from);
     setMode(Mode::Replay);
+    fitRun();
     setFocus();
 }
 

@@ -113,7 +113,7 @@ TEST(Comparison, TellsWhatTheTwoRunsCameTo) {
     EXPECT_EQ(rows[2].sailed, QStringLiteral("not done"));
     EXPECT_EQ(rows[2].whatIf, QStringLiteral("00:25"));
     EXPECT_EQ(rows[2].moment, seconds(25.0));
-    EXPECT_EQ(rows.back().difference, QStringLiteral("30 m at 00:30"));
+    EXPECT_EQ(rows.back().difference, QStringLiteral("30 m, 00:30"));
 }
 
 TEST(Marks, AWeatherOrderIsToldInTheUnitsOfTheDesk) {
