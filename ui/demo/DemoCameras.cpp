@@ -16,6 +16,7 @@ constexpr double kTargetFarthest_m = 0.8 * core::kNauticalMile_m, kTargetNearest
 constexpr double kEyeOnShore_m = 14.0, kEyeOnShip_m = 8.0;
 constexpr double kShownAcross = 0.35;  ///< of the picture, by her length
 constexpr double kMostGlasses = 6.0;
+constexpr double kUnderBand_rad = 0.06;  ///< looks down so far: the captions hide the foot of the picture
 
 bool standsOnShore(const core::Place& place) {
     constexpr std::array<const char*, 4> kinds{"lighthouse", "breakwater_head", "headland", "fort"};
@@ -37,6 +38,7 @@ void lookFrom(CameraRig& rig, NorthEast from, double up_m, const core::World& wo
     rig.shoreUp_m = up_m;
     const double distance_m = core::distance(from, moment.ships[0].position);
     rig.magnify(glassesFor(distance_m, world.ships[0]->vessel.hull.lengthOverall_m));
+    rig.turn(0.0, -kUnderBand_rad / rig.magnification());
 }
 
 double ground_m(const core::Area& area, NorthEast place) {
@@ -104,7 +106,7 @@ void aim(CameraRig& rig, const DemoCamera& camera, const core::World& world, con
             return;
         case DemoCameraKind::Chase:
             rig.kind = CameraKind::Chase;
-            rig.turn(0.35, 0.0);  // a little from the side: she shows her length
+            rig.turn(0.35, -2.0 * kUnderBand_rad);  // a little from the side: she shows her length
             return;
         case DemoCameraKind::Wing:
             rig.kind = camera.port ? CameraKind::WingPort : CameraKind::WingStarboard;

@@ -8,7 +8,6 @@
 
 #include "core/base/Units.h"
 #include "ui/chart/Format.h"
-#include "ui/hints/HintTexts.h"
 #include "ui/viewport/ViewportWidget.h"
 
 namespace sagara::ui {
@@ -288,7 +287,7 @@ void DemoPage::caption() {
                                  ? tr("Steer %1° to %2, %3")
                                        .arg(chart::bearing(m_hints.waypoint->bearing_rad / core::kDegree_rad),
                                             QString::fromStdString(m_hints.waypoint->name),
-                                            hintDistance(m_hints.waypoint->distance_m))
+                                            demoDistance(m_hints.waypoint->distance_m))
                                  : tr("Steer where you like");
         shown.guide = {m_director.helmLeft_s(), demoRudder(m_helm.rudder_rad()), demoEngine(m_helm.step()),
                        next};
@@ -296,7 +295,7 @@ void DemoPage::caption() {
     if (m_director.phase() == DemoDirector::Phase::Score) {
         shown.verdict = {
             m_score.stars(), demoVerdict(m_score.verdict()),
-            tr("You sailed %1. Thank you for your visit!").arg(hintDistance(m_score.sailed_m()))};
+            tr("You sailed %1. Thank you for your visit!").arg(demoDistance(m_score.sailed_m()))};
     }
     m_overlay->display(std::move(shown));
 }

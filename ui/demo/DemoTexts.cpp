@@ -8,7 +8,6 @@
 #include "core/base/Units.h"
 #include "core/sea/Beaufort.h"
 #include "ui/chart/Format.h"
-#include "ui/hints/HintTexts.h"
 
 namespace sagara::ui {
 namespace {
@@ -40,6 +39,12 @@ QString weatherText(const core::Snapshot& now) {
 
 }  // namespace
 
+QString demoDistance(double distance_m) {
+    const double miles = distance_m / core::kNauticalMile_m;
+    if (miles < 0.5) return tr("%1 m").arg(10.0 * std::round(distance_m / 10.0), 0, 'f', 0);
+    return tr("%1 sea miles").arg(chart::shortNumber(miles, 1));
+}
+
 QString demoCompass(double from_rad) {
     const std::array<QString, 8> names{tr("north"), tr("north-east"), tr("east"), tr("south-east"),
                                        tr("south"), tr("south-west"), tr("west"), tr("north-west")};
@@ -70,10 +75,10 @@ DemoCaption demoCaption(const core::World& world, const core::State& state, cons
         {tr("Speed"), tr("%1 kn").arg(core::length(ship.overGround_mps) / core::kKnot_mps, 0, 'f', 1)},
         {tr("Heading"), tr("%1°").arg(chart::bearing(heading_rad / core::kDegree_rad))},
         {tr("Next waypoint"), hints.waypoint ? tr("%1, %2").arg(name(hints.waypoint->name),
-                                                                hintDistance(hints.waypoint->distance_m))
+                                                                demoDistance(hints.waypoint->distance_m))
                                              : tr("none")},
         {tr("Wind"), weatherText(now)},
-        {tr("Visibility"), hintDistance(now.weather.visibility_m)}};
+        {tr("Visibility"), demoDistance(now.weather.visibility_m)}};
     return caption;
 }
 

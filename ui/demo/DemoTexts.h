@@ -32,6 +32,8 @@ QString demoRudder(double rudder_rad);
 /// "Half ahead", "Stop".
 QString demoEngine(core::TelegraphStep step);
 QString demoVerdict(DemoScore::Verdict verdict);
+/// "1.2 sea miles"; under half a mile "220 m".
+QString demoDistance(double distance_m);
 /// "north-east"
 QString demoCompass(double from_rad);
 

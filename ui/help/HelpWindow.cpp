@@ -73,6 +73,7 @@ void HelpWindow::layOut() {
     m_contents->setObjectName(QStringLiteral("help-contents"));
     m_contents->setAccessibleName(tr("Contents"));
     m_contents->setWordWrap(true);
+    m_contents->setStyleSheet(QStringLiteral("QListWidget::item { padding: 5px 4px; }"));
     m_search->setObjectName(QStringLiteral("help-search"));
     m_search->setPlaceholderText(tr("Search the help"));
     m_search->setClearButtonEnabled(true);

@@ -23,6 +23,7 @@ QComboBox* combo(const char* name, const QString& tip, QWidget* parent) {
     made->setAccessibleName(tip);
     made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     made->setMinimumContentsLength(16);
+    made->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return made;
 }
 
@@ -72,7 +73,7 @@ FreeSailPanel::FreeSailPanel(const PractisePorts& ports, QWidget* parent)
     auto* const under = new QHBoxLayout;
     under->addWidget(m_heading, 1);
     under->addWidget(m_speed, 1);
-    form->addRow(tr("Under &way"), under);
+    form->addRow(tr("Under way"), under);
     form->addRow(tr("T&raffic"), m_traffic);
     form->addRow(m_note);
 

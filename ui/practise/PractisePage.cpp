@@ -22,6 +22,8 @@
 namespace sagara::ui {
 namespace {
 
+constexpr int kTabs_px = 330;
+
 using Built = core::Result<std::shared_ptr<const core::World>, std::string>;
 
 QString html(const std::string& utf8) { return QString::fromStdString(utf8).toHtmlEscaped(); }
@@ -76,6 +78,7 @@ PractisePage::PractisePage(PractisePorts ports, QWidget* parent)
         setTrouble({});
         m_ownWeather->setVisible(!free());
         m_weather->setVisible(free() || m_ownWeather->isChecked());
+        takeLessonWeather();
         showPreview();
     });
     connect(m_free, &FreeSailPanel::changed, this, [this] {
@@ -84,7 +87,7 @@ PractisePage::PractisePage(PractisePorts ports, QWidget* parent)
     });
     connect(m_ownWeather, &QCheckBox::toggled, this, [this](bool on) {
         m_weather->setVisible(on || free());
-        if (!on && m_world) m_weather->setWeather(sailWeatherOf(*m_world));
+        takeLessonWeather();
     });
     connect(m_sail, &QPushButton::clicked, this, &PractisePage::setSail);
     if (m_lessons->count() > 0) m_lessons->setCurrentRow(0);
@@ -100,10 +103,12 @@ QWidget* PractisePage::choiceColumn() {
     auto* const column = new QWidget(this);
     m_tabs = new QTabWidget(column);
     m_tabs->setObjectName(QStringLiteral("what"));
+    m_tabs->setMaximumHeight(kTabs_px);
     m_lessons = new QListWidget(m_tabs);
     m_lessons->setObjectName(QStringLiteral("lessons"));
     m_lessons->setAccessibleName(tr("Lessons"));
     m_lessons->setFrameShape(QFrame::NoFrame);
+    m_lessons->setStyleSheet(QStringLiteral("QListWidget::item { padding: 6px 4px; }"));
     m_free = new FreeSailPanel(m_ports, m_tabs);
     m_tabs->addTab(m_lessons, tr("A &lesson"));
     m_tabs->addTab(m_free, tr("&Free sailing"));
@@ -129,7 +134,7 @@ QWidget* PractisePage::choiceColumn() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
     layout->addWidget(heading(tr("What you sail"), column));
-    layout->addWidget(m_tabs, 1);
+    layout->addWidget(m_tabs, 8);
     auto* const form = new QFormLayout;
     form->addRow(tr("&Difficulty"), m_level);
     layout->addLayout(form);
@@ -139,6 +144,7 @@ QWidget* PractisePage::choiceColumn() {
     layout->addWidget(heading(tr("Help on the way"), column));
     layout->addWidget(m_prediction);
     layout->addWidget(m_hints);
+    layout->addStretch(1);
     return column;
 }
 
@@ -220,10 +226,16 @@ void PractisePage::lookAtLesson() {
     if (!text) return setTrouble(tr("The lesson cannot be read."));
     build({id, *text}, tr("Reading the lesson"), [this](World world) {
         m_world = std::move(world);
-        m_weather->setUtcOffset(m_world->area.utcOffset_min);
-        m_weather->setWeather(sailWeatherOf(*m_world));
+        takeLessonWeather();
         showPreview();
     });
+}
+
+/// Not over what somebody has chosen.
+void PractisePage::takeLessonWeather() {
+    if (free() || !m_world || m_ownWeather->isChecked()) return;
+    m_weather->setUtcOffset(m_world->area.utcOffset_min);
+    m_weather->setWeather(sailWeatherOf(*m_world));
 }
 
 void PractisePage::showPreview() {

@@ -40,6 +40,7 @@ private:
     bool free() const;
     std::string lesson() const;
     void lookAtLesson();
+    void takeLessonWeather();
     void showPreview();
     void chooseAssignment(const QString& scenario, int level);
     void setSail();

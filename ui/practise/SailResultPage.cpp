@@ -14,6 +14,7 @@ namespace sagara::ui {
 namespace {
 
 constexpr double kBefore_s = 20.0;
+constexpr int kRow_px = 36;
 
 QString clockOf(double time_s) { return elapsed(core::SimTime{static_cast<std::int64_t>(time_s * 1e6)}); }
 
@@ -38,8 +39,14 @@ QTableWidget* table(const QString& name, const QStringList& heads, QWidget* pare
     made->setAlternatingRowColors(true);
     made->setWordWrap(true);
     made->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    made->verticalHeader()->setDefaultSectionSize(36);
+    made->verticalHeader()->setDefaultSectionSize(kRow_px);
+    made->setFocusPolicy(Qt::NoFocus);  // the buttons in it have it
     return made;
+}
+
+/// No taller than its rows.
+void fitRows(QTableWidget* table) {
+    table->setMaximumHeight(table->horizontalHeader()->sizeHint().height() + kRow_px * table->rowCount() + 4);
 }
 
 QTableWidgetItem* cell(const QString& text, bool right = false) {
@@ -76,7 +83,7 @@ SailResultPage::SailResultPage(SailResult result, Ports ports, QWidget* parent)
         else
             layout->addWidget(lossTable(), 3);
     }
-    if (m_result.tasks.empty() && m_result.losses.empty()) layout->addStretch(1);
+    layout->addStretch(1);
     auto* const buttons = new QHBoxLayout;
     const auto button = [&](const QString& text, const QString& name, const QString& tip, auto&& act) {
         auto* const made = new QPushButton(text, this);
@@ -140,6 +147,7 @@ QTableWidget* SailResultPage::taskTable() {
     }
     made->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     made->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    fitRows(made);
     return made;
 }
 
@@ -166,6 +174,7 @@ QTableWidget* SailResultPage::lossTable() {
     made->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
     made->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Fixed);
     made->setColumnWidth(4, 110);
+    fitRows(made);
     return made;
 }
 

@@ -37,10 +37,13 @@ WeatherPanel::WeatherPanel(QWidget* parent)
         box->setAccessibleName(tip);
     };
     whole(m_wind, "wind", 0, 60, tr(" kn"), tr("Mean wind, 0 to 60 kn; the difficulty changes it"));
-    whole(m_windFrom, "wind-from", 0, 359, tr("° from"), tr("Where the wind comes from, 0 to 359° true"));
+    whole(m_windFrom, "wind-from", 0, 359, tr("°"), tr("Where the wind comes from, 0 to 359° true"));
     whole(m_period, "swell-period", 4, 20, tr(" s"), tr("Period of the swell, 4 to 20 s"));
-    whole(m_swellFrom, "swell-from", 0, 359, tr("° from"), tr("Where the swell comes from, 0 to 359° true"));
-    for (QSpinBox* box : {m_windFrom, m_swellFrom}) box->setWrapping(true);
+    whole(m_swellFrom, "swell-from", 0, 359, tr("°"), tr("Where the swell comes from, 0 to 359° true"));
+    for (QSpinBox* box : {m_windFrom, m_swellFrom}) {
+        box->setWrapping(true);
+        box->setPrefix(tr("from "));
+    }
     const auto broken = [](QDoubleSpinBox* box, const char* name, double low, double high, const QString& unit, const QString& tip) {
         box->setObjectName(QString::fromLatin1(name));
         box->setRange(low, high);
