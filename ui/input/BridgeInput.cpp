@@ -92,6 +92,16 @@ void BridgeInput::letGo(int id) {
     for (const ButtonMap& button : held) perform(button.action, button.shaft, false);
 }
 
+void BridgeInput::setPaused(bool paused) {
+    if (paused) {
+        letGoKeys();
+        for (const JoystickInfo& device : m_joysticks->devices()) letGo(device.id);
+        for (const JoystickInfo& device : m_joysticks->devices())
+            for (int i = 0; i < device.axes; ++i) takeAxis(device.id, i, m_joysticks->axis(device.id, i));
+    }
+    blockSignals(paused);
+}
+
 void BridgeInput::takeAxis(int id, int axis, double raw) {
     const auto devices = m_joysticks->devices();
     const auto device =

@@ -38,6 +38,9 @@ public:
     /// Keys pressed in this window are orders, unless the field with the focus needs them. Null: none.
     void watchKeys(QWidget* window);
 
+    /// While paused everything is read and shown, and nothing is wished: somebody calibrates.
+    void setPaused(bool paused);
+
     Joysticks& joysticks() { return *m_joysticks; }
     NmeaPort& nmea() { return *m_nmea; }
     /// Of a model of device; the usual one when it was never mapped.

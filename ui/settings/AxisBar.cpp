@@ -36,7 +36,7 @@ void AxisBar::paintEvent(QPaintEvent*) {
     painter.setBrush(c.surface);
     painter.drawRoundedRect(track, 3.0, 3.0);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(c.accent);
+    painter.setBrush(c.setValue);
     const double from = std::min(at(0.0), at(m_value));
     const double to = std::max(at(0.0), at(m_value));
     painter.drawRect(QRectF(from, track.top() + 2.0, std::max(2.0, to - from), track.height() - 4.0));

@@ -28,6 +28,7 @@ SettingsPage::SettingsPage(std::unique_ptr<SettingsStore> store, BridgeInput& in
                            QWidget* parent)
     : Page(parent),
       m_store(std::move(store)),
+      m_input(input),
       m_back(new QPushButton(tr("Back"), this)),
       m_list(new QListWidget(this)),
       m_stack(new QStackedWidget(this)),
@@ -86,6 +87,7 @@ SettingsPage::SettingsPage(std::unique_ptr<SettingsStore> store, BridgeInput& in
 }
 
 SettingsPage::~SettingsPage() {
+    m_input.setPaused(false);
     // The sections look at the store, which goes before the widgets do.
     qDeleteAll(m_sections);
 }
@@ -104,6 +106,17 @@ void SettingsPage::add(Section* section) {
     m_stack->addWidget(scroll);
     m_list->addItem(section->title());
     m_sections.push_back(section);
+}
+
+// A ship that sails meanwhile must not obey a stick that is being calibrated.
+void SettingsPage::showEvent(QShowEvent* event) {
+    m_input.setPaused(true);
+    Page::showEvent(event);
+}
+
+void SettingsPage::hideEvent(QHideEvent* event) {
+    m_input.setPaused(false);
+    Page::hideEvent(event);
 }
 
 void SettingsPage::openSection(int index) { m_list->setCurrentRow(index); }

@@ -32,12 +32,16 @@ public:
 
     void setColours(PaletteName palette) override;
     QString helpTopic() const override;
-    /// By objectName of what is on it, for tests and for who wants to open it at a subject.
     void openSection(int index);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void add(Section* section);
     std::unique_ptr<SettingsStore> m_store;
+    BridgeInput& m_input;
     QPushButton* m_back;
     QListWidget* m_list;
     QStackedWidget* m_stack;

@@ -173,6 +173,21 @@ TEST_F(Settings, AStickAppearsMovesIsMappedAndDisappears) {
     EXPECT_TRUE(find<QLabel>("no-device")->isVisible());
 }
 
+TEST_F(Settings, NoShipObeysAStickWhileThePageIsOpen) {
+    QSignalSpy helm(&input, &BridgeInput::helmWanted);
+    test::VirtualStick stick(1, 0, 0);
+    poll();
+    stick.setAxis(0, 0.8);
+    poll();
+    EXPECT_TRUE(helm.isEmpty());
+    page->hide();
+    poll();
+    EXPECT_TRUE(helm.isEmpty());  // closing the page is no order
+    stick.setAxis(0, 0.5);
+    poll();
+    EXPECT_EQ(helm.size(), 1);
+}
+
 TEST_F(Settings, AnAxisIsCalibratedInTwoSteps) {
     page->openSection(Controls);
     test::VirtualStick stick(2, 0, 0);
