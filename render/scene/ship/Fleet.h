@@ -23,7 +23,8 @@ struct Fleet {
     std::vector<std::string> remarks;  ///< for a person: which models could not be used, and why
 };
 
-/// `assets` has models/ and pictures/.
-Fleet fleetOf(const core::World& world, const std::filesystem::path& assets);
+/// `assets` has models/ and pictures/; a model that is not there is looked for in `ownModels`.
+Fleet fleetOf(const core::World& world, const std::filesystem::path& assets,
+              const std::filesystem::path& ownModels = {});
 
 }  // namespace sagara::render
