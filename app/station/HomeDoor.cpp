@@ -130,6 +130,8 @@ std::optional<std::string> enterDemo(Station& station) {
     return std::nullopt;
 }
 
+ui::Page* adminPage(Station& station) { return vesselsPage(station); }
+
 void about(Station& station) { ui::showAbout(&station, aboutFacts(station)); }
 
 }  // namespace sagara::station
