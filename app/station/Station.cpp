@@ -185,7 +185,9 @@ std::optional<std::string> Station::openRun(const RunRequest& request) {
 }
 
 std::optional<std::string> Station::openDebrief(const std::filesystem::path& recording) {
-    const auto page = debriefPage(*this, recording);
+    const auto page = debriefPage(*this, recording, [this, recording] {
+        if (ui::Page* const result = resultOf(*this, recording)) openPage(result);
+    });
     if (!page) return page.error();
     openPage(page.value());
     return std::nullopt;

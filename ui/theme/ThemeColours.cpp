@@ -9,7 +9,9 @@
 namespace sagara::ui {
 namespace {
 
-constexpr double kWords = 4.5;  ///< WCAG 2.1 AA
+constexpr double kWords = 4.5;     ///< WCAG 2.1 AA
+constexpr double kUnusable = 2.2;  ///< to be seen, not read
+constexpr double kEdge = 1.7;      ///< of fields and buttons
 
 double linear(double channel) {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
@@ -26,9 +28,9 @@ QColor over(const QColor& top, const QColor& below) {
 }
 
 /// Lighter or darker, whichever leads away from what is behind, until it can be read.
-QColor readable(QColor words, const QColor& behind) {
+QColor readable(QColor words, const QColor& behind, double ratio = kWords) {
     const float step = luminance(behind) < 0.18 ? 0.02F : -0.02F;
-    for (int i = 0; i < 50 && contrast(words, behind) < kWords; ++i)
+    for (int i = 0; i < 50 && contrast(words, behind) < ratio; ++i)
         words.setHslF(std::max(words.hslHueF(), 0.0F), words.hslSaturationF(),
                       std::clamp(words.lightnessF() + step, 0.0F, 1.0F));
     return words;
@@ -47,9 +49,9 @@ ThemeColours read(const QJsonObject& roles) {
     c.pressed = opaque("normal-pressed-background-color");
     c.text = words("element-active-color");
     c.quietText = words("element-neutral-color");
-    c.disabledText = opaque("element-disabled-color");
+    c.disabledText = readable(opaque("element-disabled-color"), c.surface, kUnusable);
     c.line = opaque("border-divider-color");
-    c.border = opaque("normal-enabled-border-color");
+    c.border = readable(opaque("normal-enabled-border-color"), c.surface, kEdge);
     c.focus = opaque("border-focus-color");
     c.selected = opaque("selected-enabled-background-color");
     c.onSelected = readable(opaque("on-selected-active-color"), c.selected);

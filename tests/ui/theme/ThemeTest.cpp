@@ -14,6 +14,8 @@ TEST_P(EveryPalette, WordsCanBeRead) {
             EXPECT_GE(contrast(words, behind), 4.5)
                 << words.name().toStdString() << " on " << behind.name().toStdString();
     }
+    EXPECT_GE(contrast(c.disabledText, c.surface), 2.0);
+    EXPECT_GE(contrast(c.border, c.surface), 1.6);
     EXPECT_GE(contrast(c.onSelected, c.selected), 4.5);
     EXPECT_GE(contrast(c.onAlarm, c.alarm), 4.5);
     EXPECT_GE(contrast(c.onWarning, c.warning), 4.5);
