@@ -65,7 +65,7 @@ TrafficBoard::TrafficBoard(ExerciseRun& run, ChartWidget& chart, QWidget* parent
     connect(&chart, &ChartWidget::handleMoved, this, [this](int id, core::NorthEast to) {
         const TrafficModel::Row* const row = chosenRow();
         if (id != kMoveHandle || row == nullptr) return;
-        m_run.give(0, core::MoveTargetOrder{static_cast<std::uint32_t>(row->target), to, row->heading_rad});
+        order(core::MoveTargetOrder{static_cast<std::uint32_t>(row->target), to, row->heading_rad});
         begin(Doing::Nothing);
     });
     refresh(*run.latest());
@@ -212,7 +212,7 @@ void TrafficBoard::askForShip(core::NorthEast position) {
         new AddTargetDialog(positionText(frame, position), m_run.latest()->added.size() + 1, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, position, &frame] {
-        m_run.give(0, dialog->order(position, frame.convergence_rad(position)));
+        order(dialog->order(position, frame.convergence_rad(position)));
     });
     dialog->open();
 }
@@ -220,13 +220,19 @@ void TrafficBoard::askForShip(core::NorthEast position) {
 void TrafficBoard::endRoute() {
     const TrafficModel::Row* const row = chosenRow();
     if (row != nullptr && !m_points.empty()) {
-        core::RouteTargetOrder order;
-        order.target = static_cast<std::uint32_t>(row->target);
+        core::RouteTargetOrder route;
+        route.target = static_cast<std::uint32_t>(row->target);
         const double speed_mps = m_speed->value() * core::kKnot_mps;
-        for (const core::NorthEast point : m_points) order.points.push_back({point, speed_mps});
-        m_run.give(0, std::move(order));
+        for (const core::NorthEast point : m_points) route.points.push_back({point, speed_mps});
+        order(std::move(route));
     }
     begin(Doing::Nothing);
+}
+
+void TrafficBoard::order(core::Order given) {
+    m_orderedAt = m_run.latest()->tick;
+    m_run.give(0, std::move(given));
+    update();
 }
 
 void TrafficBoard::steer() {
@@ -234,13 +240,13 @@ void TrafficBoard::steer() {
     if (row == nullptr || !row->present) return;
     const double grid_rad =
         m_heading->value() * core::kDegree_rad + m_run.world()->area.frame.convergence_rad(row->position);
-    m_run.give(0, core::SteerTargetOrder{static_cast<std::uint32_t>(row->target), grid_rad,
-                                         m_speed->value() * core::kKnot_mps});
+    order(core::SteerTargetOrder{static_cast<std::uint32_t>(row->target), grid_rad,
+                                 m_speed->value() * core::kKnot_mps});
 }
 
 void TrafficBoard::giveAction(core::TargetAction action) {
     if (const auto target = chosen())
-        m_run.give(0, core::TargetOrder{static_cast<std::uint32_t>(*target), action, 0.0});
+        order(core::TargetOrder{static_cast<std::uint32_t>(*target), action, 0.0});
 }
 
 void TrafficBoard::refresh(const core::Snapshot& now) {
@@ -274,6 +280,7 @@ void TrafficBoard::update() {
     m_there->setToolTip(row != nullptr && !row->present ? tr("She appears where she begins")
                                                         : tr("She is gone at once"));
     QString hint;
+    const bool waits = m_run.latest()->tick == m_orderedAt && !m_run.running();
     if (m_doing == Doing::Adding)
         hint = tr("Click on the chart where she is to be.");
     else if (m_doing == Doing::Routing)
@@ -281,6 +288,8 @@ void TrafficBoard::update() {
                                 : tr("Click more points, or press “Send her”.");
     else if (m_doing == Doing::Moving)
         hint = tr("Drag the square on the chart.");
+    else if (waits && open)
+        hint = tr("Ordered. It is done as soon as the exercise goes on.");
     else if (full)
         hint = tr("%1 ships are added; there cannot be more.").arg(core::kMostAddedTargets);
     else if (m_model->rowCount() == 0)

@@ -39,6 +39,7 @@ private:
     void clickedAt(core::NorthEast position);
     void askForShip(core::NorthEast position);
     void endRoute();
+    void order(core::Order given);
     void steer();
     void giveAction(core::TargetAction action);
     void showHandles();
@@ -54,6 +55,7 @@ private:
     QDoubleSpinBox *m_heading, *m_speed;
     Doing m_doing = Doing::Nothing;
     std::vector<core::NorthEast> m_points;
+    std::int64_t m_orderedAt = -1;  ///< tick
 };
 
 }  // namespace sagara::ui
