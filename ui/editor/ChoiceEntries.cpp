@@ -50,7 +50,8 @@ void fillCombo(QComboBox& combo, const std::vector<Option>& options, bool option
     QList<QPair<QString, QString>> items;  // value, label
     if (optional) items.append({QString(), QStringLiteral("–")});
     for (const Option& o : options) items.append({QString::fromStdString(o.value), o.label});
-    const bool known = value.isEmpty() || std::any_of(items.begin(), items.end(), [&](const auto& i) { return i.first == value; });
+    const bool known = value.isEmpty() || std::any_of(items.begin(), items.end(),
+                                                      [&](const auto& i) { return i.first == value; });
     if (!known) items.append({value, words("%1 (not known)").arg(value)});
     bool same = combo.count() == items.size();
     for (int i = 0; same && i < combo.count(); ++i)
@@ -59,7 +60,8 @@ void fillCombo(QComboBox& combo, const std::vector<Option>& options, bool option
         combo.clear();
         for (const auto& [data, label] : items) combo.addItem(label, data);
     }
-    combo.setCurrentIndex(combo.findData(value.isEmpty() && !optional ? QVariant(QStringLiteral("?")) : QVariant(value)));
+    combo.setCurrentIndex(
+        combo.findData(value.isEmpty() && !optional ? QVariant(QStringLiteral("?")) : QVariant(value)));
 }
 
 ChoiceEntry::ChoiceEntry(EditorContext& context, const Field& field, const std::string& path, QWidget* parent)
@@ -87,7 +89,8 @@ void ChoiceEntry::load() {
 
 void ChoiceEntry::focusEntry() { m_combo->setFocus(); }
 
-ReferencesEntry::ReferencesEntry(EditorContext& context, const Field& field, const std::string& path, QWidget* parent)
+ReferencesEntry::ReferencesEntry(EditorContext& context, const Field& field, const std::string& path,
+                                 QWidget* parent)
     : FieldEditor(context, field, path, parent), m_grid(new QGridLayout) {
     m_grid->setContentsMargins(0, 2, 0, 2);
     box()->addLayout(m_grid);
@@ -124,7 +127,8 @@ void ReferencesEntry::loadBoxes(const std::vector<std::string>& chosen) {
             m_grid->addWidget(check, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
             m_boxes.push_back(check);
         }
-        if (options.empty()) m_grid->addWidget(new QLabel(words("There are none to choose from."), this), 0, 0);
+        if (options.empty())
+            m_grid->addWidget(new QLabel(words("There are none to choose from."), this), 0, 0);
     }
     for (std::size_t i = 0; i < options.size(); ++i)
         m_boxes[i]->setChecked(std::find(chosen.begin(), chosen.end(), options[i].value) != chosen.end());
@@ -152,7 +156,8 @@ void ReferencesEntry::loadCombos(const std::vector<std::string>& chosen) {
         m_combos.push_back(combo);
     }
     for (std::size_t i = 0; i < m_combos.size(); ++i)
-        fillCombo(*m_combos[i], options, false, i < chosen.size() ? QString::fromStdString(chosen[i]) : QString());
+        fillCombo(*m_combos[i], options, false,
+                  i < chosen.size() ? QString::fromStdString(chosen[i]) : QString());
 }
 
 void ReferencesEntry::takeCombos() {
@@ -178,14 +183,14 @@ UtcEntry::UtcEntry(EditorContext& context, const Field& field, const std::string
     m_local->setWordWrap(true);
     box()->addWidget(m_when);
     box()->addWidget(m_local);
-    connect(m_when, &QDateTimeEdit::dateTimeChanged, this, [this](const QDateTime& when) {
-        write(Json(core::formatUtc({when.toSecsSinceEpoch()})), true);
-    });
+    connect(m_when, &QDateTimeEdit::dateTimeChanged, this,
+            [this](const QDateTime& when) { write(Json(core::formatUtc({when.toSecsSinceEpoch()})), true); });
     connect(&context, &EditorContext::areaChanged, this, &UtcEntry::load);
 }
 
 void UtcEntry::load() {
-    const auto start = core::parseUtc(value() && value()->is_string() ? value()->get<std::string>() : std::string());
+    const auto start =
+        core::parseUtc(value() && value()->is_string() ? value()->get<std::string>() : std::string());
     m_local->setVisible(start.has_value() && context().area() != nullptr);
     if (!start) return;
     const QSignalBlocker quiet(m_when);

@@ -22,7 +22,10 @@ struct Pose {
 class Drawer {
 public:
     Drawer(const EditorContext& context, const std::string& section)
-        : m_context(context), m_document(context.draft().document()), m_area(*context.area()), m_section(section) {}
+        : m_context(context),
+          m_document(context.draft().document()),
+          m_area(*context.area()),
+          m_section(section) {}
 
     DraftPicture draw() {
         drawShips();
@@ -75,7 +78,8 @@ private:
         for (std::size_t i = 0; i < sizeAt(m_document, "ownShips"); ++i) {
             const std::string row = join("ownShips", i);
             const core::Vessel* vessel = m_context.vesselAt(row);
-            const double length_m = vessel ? vessel->hull.lengthOverall_m : 50.0, beam_m = vessel ? vessel->hull.beam_m : 8.0;
+            const double length_m = vessel ? vessel->hull.lengthOverall_m : 50.0,
+                         beam_m = vessel ? vessel->hull.beam_m : 8.0;
             const auto pose = shipPose(row, beam_m);
             if (!pose) continue;
             ChartShip ship;
@@ -91,9 +95,11 @@ private:
             m_picture.scene.ownShips.push_back(ship);
             if (!open("ownShips")) continue;
             handle(alongside ? Kind::ShipAtBerth : Kind::Ship, row, pose->at,
-                   alongside ? words("Drag %1 along the quay, or to another").arg(ship.name) : words("Drag %1").arg(ship.name));
+                   alongside ? words("Drag %1 along the quay, or to another").arg(ship.name)
+                             : words("Drag %1").arg(ship.name));
             if (alongside) continue;
-            const NorthEast ahead = pose->at + std::max(150.0, 2.0 * length_m) * core::unitVector(pose->heading_rad);
+            const NorthEast ahead =
+                pose->at + std::max(150.0, 2.0 * length_m) * core::unitVector(pose->heading_rad);
             handle(Kind::Heading, row, ahead, words("Drag to turn %1").arg(ship.name), pose->at);
         }
     }
@@ -109,13 +115,15 @@ private:
             w.position = *at;
             w.turnRadius_m = core::kNauticalMile_m * numberAt(m_document, join(row, "radius_M"), 0.0);
             w.portLimit_m = core::kNauticalMile_m * numberAt(m_document, join(row, "portXtd_M"), 0.1);
-            w.starboardLimit_m = core::kNauticalMile_m * numberAt(m_document, join(row, "starboardXtd_M"), 0.1);
+            w.starboardLimit_m =
+                core::kNauticalMile_m * numberAt(m_document, join(row, "starboardXtd_M"), 0.1);
             w.speedMax_mps = core::kKnot_mps * numberAt(m_document, join(row, "speedMax_kn"), 60.0);
             if (!route.waypoints.empty() && core::distance(route.waypoints.back().position, w.position) < 1.0)
                 w.position.north_m += 1.0;  // a path cannot be made of two waypoints in one place
             route.waypoints.push_back(w);
             if (open("route"))
-                handle(Kind::Point, join(row, "at"), *at, words("Waypoint %1 %2").arg(i + 1).arg(name(row, "name")));
+                handle(Kind::Point, join(row, "at"), *at,
+                       words("Waypoint %1 %2").arg(i + 1).arg(name(row, "name")));
         }
     }
 
@@ -154,8 +162,8 @@ private:
         }
     }
 
-    void circle(const QString& title, ChartZone::Kind kind, const std::string& placePath, const std::string& radiusPath,
-                bool miles, bool draggable) {
+    void circle(const QString& title, ChartZone::Kind kind, const std::string& placePath,
+                const std::string& radiusPath, bool miles, bool draggable) {
         const core::Place* at = place(placePath);
         if (!at) return;
         ChartZone zone;
@@ -168,12 +176,14 @@ private:
         if (!draggable) return;
         handle(Kind::Place, placePath, at->position, words("%1: drag to another place").arg(title));
         if (zone.radius_m > 0.0)
-            handle(miles ? Kind::RadiusMiles : Kind::RadiusMetres, radiusPath, at->position + NorthEast{0.0, zone.radius_m},
+            handle(miles ? Kind::RadiusMiles : Kind::RadiusMetres, radiusPath,
+                   at->position + NorthEast{0.0, zone.radius_m},
                    words("%1: drag to change the radius").arg(title), at->position);
     }
 
     void gate(const QString& title, const std::string& between) {
-        const core::Place *a = place(join(between, std::size_t{0})), *b = place(join(between, std::size_t{1}));
+        const core::Place *a = place(join(between, std::size_t{0})),
+                          *b = place(join(between, std::size_t{1}));
         if (!a || !b) return;
         ChartZone zone;
         zone.id = static_cast<int>(m_picture.scene.zones.size());
@@ -182,14 +192,15 @@ private:
         m_picture.scene.zones.push_back(zone);
         if (!open("tasks")) return;
         for (std::size_t i = 0; i < 2; ++i)
-            handle(Kind::Place, join(between, i), zone.corners[i], words("%1: drag to another place").arg(title));
+            handle(Kind::Place, join(between, i), zone.corners[i],
+                   words("%1: drag to another place").arg(title));
     }
 
     void drawEvents() {
         for (std::size_t i = 0; i < sizeAt(m_document, "events"); ++i) {
             const std::string row = join("events", i);
-            circle(name(row, "title"), ChartZone::Kind::Task, join(row, "when.near"), join(row, "when.within_M"), true,
-                   open("events"));
+            circle(name(row, "title"), ChartZone::Kind::Task, join(row, "when.near"),
+                   join(row, "when.within_M"), true, open("events"));
         }
     }
 
@@ -199,9 +210,11 @@ private:
             const QString title = name(row, "title");
             if (kind == "gate") gate(title, join(row, "between"));
             if (kind == "transit")
-                circle(title, ChartZone::Kind::Task, join(row, "to"), join(row, "within_M"), true, open("tasks"));
+                circle(title, ChartZone::Kind::Task, join(row, "to"), join(row, "within_M"), true,
+                       open("tasks"));
             if (kind == "anchor")
-                circle(title, ChartZone::Kind::Task, join(row, "at"), join(row, "within_m"), false, open("tasks"));
+                circle(title, ChartZone::Kind::Task, join(row, "at"), join(row, "within_m"), false,
+                       open("tasks"));
         }
     }
 
@@ -212,11 +225,12 @@ private:
             if (!chosen(row)) continue;
             for (std::size_t k = 0; k < sizeAt(m_document, zones); ++k) {
                 const std::string zone = join(zones, k);
-                circle(words("%1 kn").arg(numberAt(m_document, join(zone, "speed_kn"), 0.0)), ChartZone::Kind::Limit,
-                       join(zone, "near"), join(zone, "within_M"), true, true);
+                circle(words("%1 kn").arg(numberAt(m_document, join(zone, "speed_kn"), 0.0)),
+                       ChartZone::Kind::Limit, join(zone, "near"), join(zone, "within_M"), true, true);
             }
             if (textAt(m_document, join(row, "kind")) == "anchor-place")
-                circle(name(row, "title"), ChartZone::Kind::Limit, join(row, "at"), join(row, "limit_m"), false, true);
+                circle(name(row, "title"), ChartZone::Kind::Limit, join(row, "at"), join(row, "limit_m"),
+                       false, true);
         }
     }
 
@@ -261,7 +275,8 @@ void drag(Json& document, const core::Area& area, const DraftHandle& handle, Nor
             put(document, join(handle.path, "at"), positionJson(area.frame.toGeo(to)));
             break;
         case Kind::Heading: {
-            const double heading_deg = core::wrapTwoPi(core::bearing_rad(handle.centre, to)) / core::kDegree_rad;
+            const double heading_deg =
+                core::wrapTwoPi(core::bearing_rad(handle.centre, to)) / core::kDegree_rad;
             put(document, join(handle.path, "heading_deg"), std::fmod(std::round(heading_deg), 360.0));
             break;
         }
@@ -277,7 +292,8 @@ void drag(Json& document, const core::Area& area, const DraftHandle& handle, Nor
             break;
         }
         case Kind::RadiusMiles:
-            put(document, handle.path, std::max(0.01, std::round(100.0 * from_m / core::kNauticalMile_m) / 100.0));
+            put(document, handle.path,
+                std::max(0.01, std::round(100.0 * from_m / core::kNauticalMile_m) / 100.0));
             break;
         case Kind::RadiusMetres:
             put(document, handle.path, std::max(1.0, std::round(from_m)));

@@ -19,9 +19,10 @@ DryRunResult::Loss lossOf(const core::World& world, const core::Event& event) {
     DryRunResult::Loss loss;
     loss.id = QString::fromStdString(criterion.terms().id);
     loss.title = QString::fromStdString(criterion.terms().title);
-    loss.found = words("%1 %2 %3, limit %4 %3")
-                     .arg(QString::fromUtf8(display.quantity), chart::shortNumber(event.value / display.perUnit, 2), unit,
-                          chart::shortNumber(event.limit / display.perUnit, 2));
+    loss.found =
+        words("%1 %2 %3, limit %4 %3")
+            .arg(QString::fromUtf8(display.quantity), chart::shortNumber(event.value / display.perUnit, 2),
+                 unit, chart::shortNumber(event.limit / display.perUnit, 2));
     loss.time_s = event.time().seconds();
     loss.points = event.points;
     loss.place = event.place;
@@ -110,8 +111,9 @@ DryRunResult DryRun::sail(const std::string& scenario, const core::DocumentSourc
         const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
         const std::lock_guard lock(m_mutex);
         m_progress = {state.time().seconds(), world->longest_s,
-                      task < world->mission.tasks.size() ? QString::fromStdString(world->mission.tasks[task]->title())
-                                                         : words("all tasks done"),
+                      task < world->mission.tasks.size()
+                          ? QString::fromStdString(world->mission.tasks[task]->title())
+                          : words("all tasks done"),
                       core::scoreOf(state.assessment), state.time().seconds() / std::max(wall_s, 0.01)};
     }
     result.cancelled = m_cancel && !session.over();

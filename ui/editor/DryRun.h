@@ -40,7 +40,8 @@ struct DryRunResult {
     ChartTrack track;
 };
 
-/// CONTROLLER: the scripted pilot sails a scenario as fast as it goes, in a thread of its own. Records nothing.
+/// CONTROLLER: the scripted pilot sails a scenario as fast as it goes, in a thread of its own. Records
+/// nothing.
 class DryRun final : public QObject {
     Q_OBJECT
 public:

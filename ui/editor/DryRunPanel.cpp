@@ -63,7 +63,8 @@ DryRunPanel::DryRunPanel(EditorContext& context, QWidget* parent)
     for (int i = 1; i <= core::kLevels; ++i) m_level->addItem(words("Level %1").arg(i), i);
     m_level->setCurrentIndex(2);
     m_level->setToolTip(words("Difficulty: weather, traffic and the time allowed"));
-    m_start->setToolTip(words("The scripted pilot sails the scenario as it is now, many times faster than the clock"));
+    m_start->setToolTip(
+        words("The scripted pilot sails the scenario as it is now, many times faster than the clock"));
     m_start->setProperty("primary", true);
     m_cancel->setToolTip(words("Stop where she is"));
     m_progress->setTextVisible(false);
@@ -84,7 +85,8 @@ DryRunPanel::DryRunPanel(EditorContext& context, QWidget* parent)
     layout->addWidget(m_losses, 1);
     layout->addStretch(0);
     for (QWidget* w : std::initializer_list<QWidget*>{m_progress, m_old, m_cancel}) w->hide();
-    m_result->setText(words("The pilot's script is sailed, and graded as a trainee's run would be. Nothing is kept."));
+    m_result->setText(
+        words("The pilot's script is sailed, and graded as a trainee's run would be. Nothing is kept."));
     m_beat.setInterval(kBeat_ms);
     connect(&m_beat, &QTimer::timeout, this, &DryRunPanel::tick);
     connect(m_start, &QPushButton::clicked, this, &DryRunPanel::start);
@@ -95,7 +97,8 @@ DryRunPanel::DryRunPanel(EditorContext& context, QWidget* parent)
     });
     connect(m_losses, &QTableWidget::cellClicked, this, [this](int at, int) {
         const auto& losses = m_run.result().losses;
-        if (static_cast<std::size_t>(at) < losses.size()) Q_EMIT placeChosen(losses[static_cast<std::size_t>(at)].place);
+        if (static_cast<std::size_t>(at) < losses.size())
+            Q_EMIT placeChosen(losses[static_cast<std::size_t>(at)].place);
     });
 }
 
@@ -117,8 +120,8 @@ void DryRunPanel::tick() {
     m_progress->setRange(0, static_cast<int>(now.longest_s));
     m_progress->setValue(static_cast<int>(now.time_s));
     m_now->setText(words("%1 of at most %2: %3; score %4; %5 times real time")
-                       .arg(runTime(now.time_s), runTime(now.longest_s), now.task, chart::number(now.score, 0),
-                            chart::number(now.timesRealTime, 0)));
+                       .arg(runTime(now.time_s), runTime(now.longest_s), now.task,
+                            chart::number(now.score, 0), chart::number(now.timesRealTime, 0)));
 }
 
 void DryRunPanel::finish() {
@@ -138,13 +141,18 @@ void DryRunPanel::showResult(const DryRunResult& r) {
     if (!r.problems.empty())
         return m_result->setText(words("It cannot be sailed yet: mend the problems listed below the chart."));
     QString text;
-    if (r.cancelled) text = words("<b>Cancelled</b> after %1. As far as it went:").arg(runTime(r.time_s));
-    else text = words("<b>%1</b> in %2.").arg(r.passed ? words("Passed") : words("Not passed"), runTime(r.time_s));
-    text += words(" Score <b>%1</b> of 100, %2 to pass.").arg(chart::number(r.score, 0), chart::number(r.passScore, 0));
+    if (r.cancelled)
+        text = words("<b>Cancelled</b> after %1. As far as it went:").arg(runTime(r.time_s));
+    else
+        text = words("<b>%1</b> in %2.")
+                   .arg(r.passed ? words("Passed") : words("Not passed"), runTime(r.time_s));
+    text += words(" Score <b>%1</b> of 100, %2 to pass.")
+                .arg(chart::number(r.score, 0), chart::number(r.passScore, 0));
     if (!r.failedBy.isEmpty()) text += words(" Failed by: %1.").arg(r.failedBy.toHtmlEscaped());
     if (r.losses.empty()) text += words(" No points were deducted.");
     m_result->setText(text);
-    for (const auto& task : r.tasks) addRow(*m_tasks, {task.done ? runTime(task.time_s) : words("not done"), task.title});
+    for (const auto& task : r.tasks)
+        addRow(*m_tasks, {task.done ? runTime(task.time_s) : words("not done"), task.title});
     for (const auto& loss : r.losses)
         addRow(*m_losses, {runTime(loss.time_s), QStringLiteral("−") + chart::shortNumber(loss.points, 1),
                            words("%1: %2").arg(loss.title, loss.found)});

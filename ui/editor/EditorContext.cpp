@@ -81,7 +81,8 @@ void EditorContext::select(const std::string& row) {
     Q_EMIT selectionChanged();
 }
 
-std::shared_ptr<const std::string> EditorContext::textOf(core::DocumentKind kind, const std::string& id) const {
+std::shared_ptr<const std::string> EditorContext::textOf(core::DocumentKind kind,
+                                                         const std::string& id) const {
     auto& text = m_texts[{kind, id}];
     if (!text) {
         if (auto found = m_port.text(kind, id)) text = std::make_shared<const std::string>(std::move(*found));

@@ -14,8 +14,8 @@
 
 namespace sagara::ui::editor {
 
-/// The draft with what its names stand for: area, vessels, and what can be chosen in a field. The area is read
-/// in another thread; until it is there its berths and places cannot be chosen.
+/// The draft with what its names stand for: area, vessels, and what can be chosen in a field. The area is
+/// read in another thread; until it is there its berths and places cannot be chosen.
 class EditorContext final : public QObject {
     Q_OBJECT
 public:

@@ -91,7 +91,8 @@ void EditorPage::addFileButtons(QWidget& bar) {
         connect(b, &QPushButton::clicked, this, work);
         row->addWidget(b);
     };
-    push(new QPushButton(tr("Back"), &bar), "bench-back", tr("To the list of scenarios"), [this] { toLibrary(); });
+    push(new QPushButton(tr("Back"), &bar), "bench-back", tr("To the list of scenarios"),
+         [this] { toLibrary(); });
     QFont bold = m_title->font();
     bold.setBold(true);
     m_title->setFont(bold);
@@ -102,9 +103,12 @@ void EditorPage::addFileButtons(QWidget& bar) {
         b->setText(text);
         QUndoStack& history = m_draft.history();
         connect(b, &QToolButton::clicked, &history, undo ? &QUndoStack::undo : &QUndoStack::redo);
-        connect(&history, undo ? &QUndoStack::canUndoChanged : &QUndoStack::canRedoChanged, b, &QWidget::setEnabled);
+        connect(&history, undo ? &QUndoStack::canUndoChanged : &QUndoStack::canRedoChanged, b,
+                &QWidget::setEnabled);
         connect(&history, undo ? &QUndoStack::undoTextChanged : &QUndoStack::redoTextChanged, b,
-                [b, text](const QString& what) { b->setToolTip(what.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, what)); });
+                [b, text](const QString& what) {
+                    b->setToolTip(what.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, what));
+                });
         b->setEnabled(false);
         row->addWidget(b);
     };
@@ -113,8 +117,10 @@ void EditorPage::addFileButtons(QWidget& bar) {
     push(new QPushButton(tr("Import …"), &bar), "import", tr("Open a scenario from a file (JSON)"), [this] {
         if (mayLeave()) importChosen();
     });
-    push(new QPushButton(tr("Export …"), &bar), "export", tr("Write the scenario to a file (JSON)"), [this] { exportChosen(); });
-    push(new QPushButton(tr("Save as …"), &bar), "save-as", tr("Store it under another id and name"), [this] { saveAs(); });
+    push(new QPushButton(tr("Export …"), &bar), "export", tr("Write the scenario to a file (JSON)"),
+         [this] { exportChosen(); });
+    push(new QPushButton(tr("Save as …"), &bar), "save-as", tr("Store it under another id and name"),
+         [this] { saveAs(); });
     push(m_save, "save", tr("Store it in the database (Ctrl+S)"), [this] { (void)save(); });
     m_save->setProperty("primary", true);
     const auto key = [&](QKeySequence::StandardKey keys, auto&& work) {
@@ -154,7 +160,8 @@ std::optional<QString> EditorPage::open(const std::string& id) {
     const auto text = m_port.text(core::DocumentKind::Scenario, id);
     if (!text) return tr("There is no scenario \"%1\".").arg(QString::fromStdString(id));
     Json document = Json::parse(*text, nullptr, false);
-    if (!document.is_object()) return tr("The scenario \"%1\" is damaged: it is no JSON object.").arg(QString::fromStdString(id));
+    if (!document.is_object())
+        return tr("The scenario \"%1\" is damaged: it is no JSON object.").arg(QString::fromStdString(id));
     m_storedId = id;
     m_placeShip = false;
     m_draft.reset(std::move(document), true);
@@ -174,7 +181,8 @@ void EditorPage::begin(const NewScenario& choice) {
     placeNewShip();
 }
 
-/// When the area of a new scenario has been read: the ship at an anchorage, or where the chart has its middle.
+/// When the area of a new scenario has been read: the ship at an anchorage, or where the chart has its
+/// middle.
 void EditorPage::placeNewShip() {
     if (!m_placeShip || !m_context.area() || m_draft.history().count() > 0) return;
     m_placeShip = false;
@@ -247,8 +255,10 @@ bool EditorPage::save() {
     m_draft.markSaved();
     const auto& validator = m_workbench->validator();
     const bool sound = validator.upToDate() && validator.problems().empty();
-    say(sound || !validator.upToDate() ? tr("Saved as \"%1\".").arg(QString::fromStdString(id))
-                                        : tr("Saved as \"%1\"; it cannot be run until its problems are mended.").arg(QString::fromStdString(id)));
+    say(sound || !validator.upToDate()
+            ? tr("Saved as \"%1\".").arg(QString::fromStdString(id))
+            : tr("Saved as \"%1\"; it cannot be run until its problems are mended.")
+                  .arg(QString::fromStdString(id)));
     return true;
 }
 
@@ -258,7 +268,8 @@ void EditorPage::saveAs() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save as"));
     auto* const name = new QLineEdit(QString::fromStdString(textAt(m_draft.document(), "name")), dialog);
-    auto* const id = new QLineEdit(QString::fromStdString(textAt(m_draft.document(), "id") + "-2").left(60), dialog);
+    auto* const id =
+        new QLineEdit(QString::fromStdString(textAt(m_draft.document(), "id") + "-2").left(60), dialog);
     name->setObjectName(QStringLiteral("save-as-name"));
     name->setToolTip(tr("As it stands in lists"));
     id->setObjectName(QStringLiteral("save-as-id"));
@@ -291,20 +302,24 @@ void EditorPage::saveAs() {
 }
 
 void EditorPage::importChosen() {
-    const QString name = QFileDialog::getOpenFileName(this, tr("Import a scenario"), {}, tr("Scenario (*.json)"));
+    const QString name =
+        QFileDialog::getOpenFileName(this, tr("Import a scenario"), {}, tr("Scenario (*.json)"));
     if (name.isEmpty()) return;
     if (const auto trouble = importFile(name)) say(*trouble);
 }
 
 void EditorPage::exportChosen() {
-    const QString proposal = QString::fromStdString(textAt(m_draft.document(), "id", "scenario")) + QStringLiteral(".json");
-    const QString name = QFileDialog::getSaveFileName(this, tr("Export the scenario"), proposal, tr("Scenario (*.json)"));
+    const QString proposal =
+        QString::fromStdString(textAt(m_draft.document(), "id", "scenario")) + QStringLiteral(".json");
+    const QString name =
+        QFileDialog::getSaveFileName(this, tr("Export the scenario"), proposal, tr("Scenario (*.json)"));
     if (name.isEmpty()) return;
     say(exportFile(name).value_or(tr("Written to %1.").arg(name)));
 }
 
 bool EditorPage::mayLeave() {
-    if (m_stack->currentIndex() == 0 || m_draft.isSaved() || (m_storedId.empty() && m_draft.history().count() == 0))
+    if (m_stack->currentIndex() == 0 || m_draft.isSaved() ||
+        (m_storedId.empty() && m_draft.history().count() == 0))
         return true;
     QMessageBox box(QMessageBox::Question, tr("Scenario editor"),
                     tr("The scenario has been changed and is not saved."),

@@ -67,8 +67,9 @@ void FieldEditor::showNote() {
     if (text.isEmpty()) return;
     const ThemeColours& c = themeColours(m_context.colours());
     m_note->setText(QStringLiteral("▲ ") + text);
-    m_note->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; border-radius: 3px; padding: 1px 5px; }")
-                              .arg(c.caution.name(), c.onCaution.name()));
+    m_note->setStyleSheet(
+        QStringLiteral("QLabel { background: %1; color: %2; border-radius: 3px; padding: 1px 5px; }")
+            .arg(c.caution.name(), c.onCaution.name()));
 }
 
 }  // namespace sagara::ui::editor

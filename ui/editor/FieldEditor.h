@@ -51,6 +51,7 @@ private:
 };
 
 /// The editor of a field's kind.
-FieldEditor* makeFieldEditor(EditorContext& context, const Field& field, const std::string& path, QWidget* parent);
+FieldEditor* makeFieldEditor(EditorContext& context, const Field& field, const std::string& path,
+                             QWidget* parent);
 
 }  // namespace sagara::ui::editor

@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/editor/FieldText.h"
 #include "ui/editor/ListEditor.h"
@@ -27,31 +28,35 @@ LineEntry::LineEntry(EditorContext& context, const Field& field, const std::stri
     if (narrow) row->addStretch(1);
     box()->addLayout(row);
     connect(m_line, &QLineEdit::textEdited, this, &LineEntry::take);
-    connect(m_line, &QLineEdit::editingFinished, this, [this] {
-        this->context().draft().endGoing();
-        complain({});
-        load();
-        if (!m_line->hasFocus()) m_line->deselect();
-    });
+    connect(m_line, &QLineEdit::editingFinished, this, &LineEntry::finish);
+}
+
+void LineEntry::finish() {
+    if (!std::exchange(m_typing, false)) return;
+    if (field().kind == FieldKind::Position && m_line->text() != shown(field(), value())) {
+        if (auto place = typed(field(), m_line->text())) write(std::move(*place));
+    }
+    context().draft().endGoing();
+    complain({});
+    load();
 }
 
 void LineEntry::take(const QString& text) {
+    m_typing = true;
     if (text.trimmed().isEmpty() && (field().optional || field().kind == FieldKind::Text)) {
         complain({});
         return write(field().optional ? Json() : Json(std::string()), true);
     }
     auto entry = typed(field(), text);
     complain(entry ? QString() : words("expected %1").arg(accepted(field())));
-    if (entry) write(std::move(*entry), true);
+    // half a position is another one: it is taken when it is whole
+    if (entry && field().kind != FieldKind::Position) write(std::move(*entry), true);
 }
 
 void LineEntry::load() {
     const QString text = shown(field(), value());
     if (m_line->text() == text) return;
-    if (m_line->hasFocus() && m_line->isModified()) {  // being typed: "6." is 6 already
-        const auto entry = typed(field(), m_line->text());
-        if (entry && value() && *entry == *value()) return;
-    }
+    if (m_typing) return;
     m_line->setText(text);
     m_line->setCursorPosition(0);
 }
@@ -61,7 +66,8 @@ void LineEntry::focusEntry() {
     m_line->selectAll();
 }
 
-LongTextEntry::LongTextEntry(EditorContext& context, const Field& field, const std::string& path, QWidget* parent)
+LongTextEntry::LongTextEntry(EditorContext& context, const Field& field, const std::string& path,
+                             QWidget* parent)
     : FieldEditor(context, field, path, parent), m_text(new QPlainTextEdit(this)) {
     m_text->setObjectName(QString::fromStdString(path));
     m_text->setToolTip(tip());
@@ -88,9 +94,8 @@ FlagEntry::FlagEntry(EditorContext& context, const Field& field, const std::stri
     m_box->setToolTip(tip());
     box()->addWidget(m_box);
     // false is written: "engage": false means something, and elsewhere it reads well
-    connect(m_box, &QCheckBox::clicked, this, [this](bool on) {
-        write(on || this->field().key == "engage" ? Json(on) : Json());
-    });
+    connect(m_box, &QCheckBox::clicked, this,
+            [this](bool on) { write(on || this->field().key == "engage" ? Json(on) : Json()); });
 }
 
 void FlagEntry::load() {
@@ -101,7 +106,8 @@ void FlagEntry::load() {
 
 void FlagEntry::focusEntry() { m_box->setFocus(); }
 
-NumbersEntry::NumbersEntry(EditorContext& context, const Field& field, const std::string& path, QWidget* parent)
+NumbersEntry::NumbersEntry(EditorContext& context, const Field& field, const std::string& path,
+                           QWidget* parent)
     : FieldEditor(context, field, path, parent), m_row(new QHBoxLayout) {
     box()->addLayout(m_row);
     m_row->setSpacing(4);
@@ -125,6 +131,7 @@ void NumbersEntry::load() {
             line->setMaximumWidth(70);
             connect(line, &QLineEdit::textEdited, this, &NumbersEntry::take);
             connect(line, &QLineEdit::editingFinished, this, [this] {
+                m_typing = false;
                 context().draft().endGoing();
                 complain({});
                 load();
@@ -139,17 +146,13 @@ void NumbersEntry::load() {
     one.kind = FieldKind::Number;
     for (std::size_t i = 0; i < count; ++i) {
         const Json* item = i < there ? &(*value())[i] : nullptr;
-        QLineEdit* const line = m_lines[i];
-        if (line->hasFocus() && line->isModified()) {
-            const auto entry = typed(one, line->text());
-            if (!entry || (item && *entry == *item)) continue;
-        }
         const QString text = shown(one, item);
-        if (line->text() != text) line->setText(text);
+        if (!m_typing && m_lines[i]->text() != text) m_lines[i]->setText(text);
     }
 }
 
 void NumbersEntry::take() {
+    m_typing = true;
     Json all = Json::array();
     Field one = field();
     one.kind = FieldKind::Number;
@@ -169,7 +172,8 @@ void NumbersEntry::focusEntry() {
     if (!m_lines.empty()) m_lines.front()->setFocus();
 }
 
-FieldEditor* makeFieldEditor(EditorContext& context, const Field& field, const std::string& path, QWidget* parent) {
+FieldEditor* makeFieldEditor(EditorContext& context, const Field& field, const std::string& path,
+                             QWidget* parent) {
     switch (field.kind) {
         case FieldKind::Text:
         case FieldKind::Id:

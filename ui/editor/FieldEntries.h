@@ -23,7 +23,9 @@ public:
 
 private:
     void take(const QString& text);
+    void finish();
     QLineEdit* m_line;
+    bool m_typing = false;  ///< since it was last left or entered: what stands there is not touched
 };
 
 class LongTextEntry final : public FieldEditor {
@@ -89,6 +91,7 @@ private:
     void take();
     QHBoxLayout* m_row;
     std::vector<QLineEdit*> m_lines;
+    bool m_typing = false;
 };
 
 class UtcEntry final : public FieldEditor {

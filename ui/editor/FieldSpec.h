@@ -6,9 +6,9 @@
 
 #include "ui/editor/Json.h"
 
-/// What the members of the scenario document are, for the forms: the tables are in ScenarioFields, MissionFields
-/// and OrderFields. What is right and wrong is the loader's to say (core/exercise, core/assess): limits stand
-/// here only to say at the field what is accepted.
+/// What the members of the scenario document are, for the forms: the tables are in ScenarioFields,
+/// MissionFields and OrderFields. What is right and wrong is the loader's to say (core/exercise,
+/// core/assess): limits stand here only to say at the field what is accepted.
 namespace sagara::ui::editor {
 
 struct Option {
@@ -98,7 +98,8 @@ QString words(const char* text);
 Field text(std::string key, QString label, QString hint, QString initial = {});
 Field longText(std::string key, QString label, QString hint);
 Field idField(QString hint);
-Field number(std::string key, QString label, double low, double high, QString unit, QString hint, Json initial);
+Field number(std::string key, QString label, double low, double high, QString unit, QString hint,
+             Json initial);
 Field integer(std::string key, QString label, int low, int high, QString hint, Json initial);
 Field flag(std::string key, QString label, QString hint);
 Field choice(std::string key, QString label, std::vector<Option> options, QString hint);

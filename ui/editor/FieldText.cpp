@@ -82,7 +82,8 @@ Json positionJson(core::GeoPoint place) {
 
 std::optional<core::GeoPoint> positionOf(const Json* value) {
     if (!value || !value->is_object()) return std::nullopt;
-    const double lat_deg = numberAt(*value, "lat", std::nan("")), lon_deg = numberAt(*value, "lon", std::nan(""));
+    const double lat_deg = numberAt(*value, "lat", std::nan("")),
+                 lon_deg = numberAt(*value, "lon", std::nan(""));
     if (!std::isfinite(lat_deg) || !std::isfinite(lon_deg)) return std::nullopt;
     return core::GeoPoint{lat_deg, lon_deg};
 }
@@ -93,7 +94,8 @@ QString shown(const Field& field, const Json* value) {
         const auto place = positionOf(value);
         return place ? positionText(*place) : plain(*value);
     }
-    if (field.kind == FieldKind::Flag) return value->is_boolean() && value->get<bool>() ? QStringLiteral("✓") : QString();
+    if (field.kind == FieldKind::Flag)
+        return value->is_boolean() && value->get<bool>() ? QStringLiteral("✓") : QString();
     for (const Option& option : field.options)
         if (value->is_string() && option.value == value->get_ref<const std::string&>()) return option.label;
     return plain(*value);

@@ -71,7 +71,8 @@ QWidget* Library::openSide() {
     layout->addWidget(m_list, 1);
     layout->addLayout(row);
     const auto open = [this] {
-        if (m_list->currentItem()) Q_EMIT openWanted(m_list->currentItem()->data(Qt::UserRole).toString().toStdString());
+        if (m_list->currentItem())
+            Q_EMIT openWanted(m_list->currentItem()->data(Qt::UserRole).toString().toStdString());
     };
     connect(m_open, &QPushButton::clicked, this, open);
     connect(m_list, &QListWidget::itemActivated, this, open);
@@ -103,15 +104,16 @@ QWidget* Library::newSide() {
     layout->addRow(words("Area"), m_area);
     layout->addRow(words("Vessel"), m_vessel);
     layout->addRow(QString(), m_create);
-    connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {  // a first proposal for the id
-        QString id;
-        for (const QChar c : name.toLower().simplified()) {
-            const bool plain = (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9');
-            id += plain ? c : QChar(u'-');
-        }
-        if (!m_id->isModified()) m_id->setText(id.left(60));
-        checkNew();
-    });
+    connect(m_name, &QLineEdit::textEdited, this,
+            [this](const QString& name) {  // a first proposal for the id
+                QString id;
+                for (const QChar c : name.toLower().simplified()) {
+                    const bool plain = (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9');
+                    id += plain ? c : QChar(u'-');
+                }
+                if (!m_id->isModified()) m_id->setText(id.left(60));
+                checkNew();
+            });
     connect(m_id, &QLineEdit::textChanged, this, &Library::checkNew);
     connect(m_create, &QPushButton::clicked, this, &Library::create);
     return box;
@@ -131,8 +133,10 @@ void Library::refresh() {
     m_list->clear();
     for (const auto& e : m_context.listed(core::DocumentKind::Scenario)) {
         const QString whose = e.shipped ? words("shipped with Sagara") : words("your own");
-        auto* const item = new QListWidgetItem(
-            QStringLiteral("%1\n%2, %3").arg(QString::fromStdString(e.name), QString::fromStdString(e.id), whose), m_list);
+        auto* const item =
+            new QListWidgetItem(QStringLiteral("%1\n%2, %3")
+                                    .arg(QString::fromStdString(e.name), QString::fromStdString(e.id), whose),
+                                m_list);
         item->setData(Qt::UserRole, QString::fromStdString(e.id));
     }
     if (m_list->count() > 0) m_list->setCurrentRow(0);
@@ -145,10 +149,14 @@ void Library::checkNew() {
     const auto& known = m_context.listed(core::DocumentKind::Scenario);
     const bool taken = std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.id == id; });
     QString note;
-    if (id.empty()) note = words("Give it a name.");
-    else if (!core::config::isId(id)) note = words("Id: 1 to 60 letters a-z, digits and hyphens.");
-    else if (taken) note = words("There is a scenario \"%1\" already: choose another id.").arg(m_id->text());
-    else if (m_area->count() == 0 || m_vessel->count() == 0) note = words("There is no area or no vessel to begin with.");
+    if (id.empty())
+        note = words("Give it a name.");
+    else if (!core::config::isId(id))
+        note = words("Id: 1 to 60 letters a-z, digits and hyphens.");
+    else if (taken)
+        note = words("There is a scenario \"%1\" already: choose another id.").arg(m_id->text());
+    else if (m_area->count() == 0 || m_vessel->count() == 0)
+        note = words("There is no area or no vessel to begin with.");
     m_idNote->setText(note);
     m_idNote->setVisible(!note.isEmpty());
     m_create->setEnabled(note.isEmpty());
@@ -156,7 +164,8 @@ void Library::checkNew() {
 
 void Library::create() {
     const QString name = m_name->text().trimmed().isEmpty() ? m_id->text() : m_name->text().trimmed();
-    Q_EMIT newWanted({m_id->text().toStdString(), name.toStdString(), m_area->currentData().toString().toStdString(),
+    Q_EMIT newWanted({m_id->text().toStdString(), name.toStdString(),
+                      m_area->currentData().toString().toStdString(),
                       m_vessel->currentData().toString().toStdString()});
 }
 

@@ -48,8 +48,10 @@ ListEditor::ListEditor(EditorContext& context, const Field& field, const std::st
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    if (spec().form) m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    else m_table->setEditTriggers(QAbstractItemView::AllEditTriggers);
+    if (spec().form)
+        m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    else
+        m_table->setEditTriggers(QAbstractItemView::AllEditTriggers);
     box()->addWidget(m_table);
     if (spec().fixed == 0) addButtons();
     auto* const inside = new QVBoxLayout(m_rowBox);
@@ -130,7 +132,8 @@ Json ListEditor::newRow(const Variant* variant) const {
         } else if (f.kind == FieldKind::References) {
             Json some = Json::array();
             const std::vector<Option> options = context().choices(f.source, where);
-            for (std::size_t i = 0; i < std::min(f.count, options.size()); ++i) some.push_back(options[i].value);
+            for (std::size_t i = 0; i < std::min(f.count, options.size()); ++i)
+                some.push_back(options[i].value);
             put(row, f.key, std::move(some));
         } else if (f.kind == FieldKind::Numbers && f.initial.is_null()) {
             put(row, f.key, Json(std::vector<int>(context().shafts(where), 0)));
@@ -179,7 +182,9 @@ void ListEditor::remove() {
     context().draft().edit(words("%1 deleted").arg(spec().one), [&](Json& document) {
         erase(document, rowPath(row));
         const std::string outer = parentOf(path());
-        if (sizeAt(document, path()) == 0 && !spec().parent.is_null()) erase(document, outer);
+        if (sizeAt(document, path()) > 0) return;
+        if (field().optional) erase(document, path());
+        if (!spec().parent.is_null()) erase(document, outer);
     });
     if (m_model->rowCount() > 0) m_table->selectRow(std::min(row, m_model->rowCount() - 1));
 }
@@ -207,7 +212,8 @@ void ListEditor::showEvent(QShowEvent* event) {
 }
 
 void ListEditor::fitTable() {
-    const int rows = std::clamp(m_model->rowCount(), kFewestRows, std::max(kMostRows, static_cast<int>(spec().fixed)));
+    const int rows =
+        std::clamp(m_model->rowCount(), kFewestRows, std::max(kMostRows, static_cast<int>(spec().fixed)));
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows * 26 + 18);
     m_table->horizontalHeader()->setStretchLastSection(false);
     m_table->resizeColumnsToContents();
@@ -278,7 +284,8 @@ void ListEditor::showProblems(const std::vector<core::config::Problem>& problems
     m_model->showProblems(problems);
     std::vector<core::config::Problem> own;
     for (const auto& p : problems) {
-        const bool ofRow = p.path.starts_with(path() + "[") && p.path.find_first_of(".[", path().size() + 1) == std::string::npos;
+        const bool ofRow = p.path.starts_with(path() + "[") &&
+                           p.path.find_first_of(".[", path().size() + 1) == std::string::npos;
         if (p.path == path() || (ofRow && p.path == rowPath(m_row))) own.push_back(p);
     }
     FieldEditor::showProblems(own);

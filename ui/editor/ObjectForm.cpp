@@ -8,7 +8,8 @@ namespace sagara::ui::editor {
 
 using core::config::Problem;
 
-ObjectForm::ObjectForm(EditorContext& context, const std::vector<Field>& fields, std::string path, QWidget* parent)
+ObjectForm::ObjectForm(EditorContext& context, const std::vector<Field>& fields, std::string path,
+                       QWidget* parent)
     : QWidget(parent), m_path(std::move(path)), m_rows(new QFormLayout(this)) {
     m_rows->setContentsMargins(0, 0, 0, 0);
     m_rows->setVerticalSpacing(6);

@@ -35,10 +35,11 @@ void ProblemList::setChecking() { m_summary->setText(words("Checking …")); }
 
 void ProblemList::show(const std::vector<core::config::Problem>& problems) {
     m_any = !problems.empty();
-    m_summary->setText(!m_any                 ? words("✓ No problems: the scenario can be run.")
-                       : problems.size() == 1 ? words("▲ 1 problem. Until it is mended the scenario cannot be run.")
-                                              : words("▲ %1 problems. Until they are mended the scenario cannot be run.")
-                                                    .arg(problems.size()));
+    m_summary->setText(
+        !m_any ? words("✓ No problems: the scenario can be run.")
+        : problems.size() == 1
+            ? words("▲ 1 problem. Until it is mended the scenario cannot be run.")
+            : words("▲ %1 problems. Until they are mended the scenario cannot be run.").arg(problems.size()));
     setColours(m_colours);
     m_list->setVisible(m_any);
     const QString last = m_list->currentItem() ? m_list->currentItem()->text() : QString();
@@ -46,7 +47,8 @@ void ProblemList::show(const std::vector<core::config::Problem>& problems) {
     for (const auto& p : problems) {
         QString where;
         for (const Section& s : m_sections)
-            if (where.isEmpty() && !p.path.empty() && s.holds(p.path)) where = s.title + QStringLiteral(" – ");
+            if (where.isEmpty() && !p.path.empty() && s.holds(p.path))
+                where = s.title + QStringLiteral(" – ");
         QString text = where + QString::fromStdString(p.path + (p.path.empty() ? "" : " ") + p.found);
         if (!p.expected.empty()) text += words("; expected %1").arg(QString::fromStdString(p.expected));
         auto* const item = new QListWidgetItem(text, m_list);
@@ -59,7 +61,8 @@ void ProblemList::setColours(PaletteName colours) {
     m_colours = colours;
     const ThemeColours& c = themeColours(colours);
     const QColor back = m_any ? c.caution : c.section, text = m_any ? c.onCaution : c.text;
-    m_summary->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; }").arg(back.name(), text.name()));
+    m_summary->setStyleSheet(
+        QStringLiteral("QLabel { background: %1; color: %2; }").arg(back.name(), text.name()));
 }
 
 }  // namespace sagara::ui::editor

@@ -112,7 +112,8 @@ bool RowsModel::setData(const QModelIndex& index, const QVariant& value, int rol
     }
     auto entry = typed(*field, text);
     if (!entry) {
-        m_context.say(words("%1: \"%2\" was not taken; expected %3").arg(field->label, text, accepted(*field)));
+        m_context.say(
+            words("%1: \"%2\" was not taken; expected %3").arg(field->label, text, accepted(*field)));
         return false;
     }
     m_context.draft().set(at, std::move(*entry), what);

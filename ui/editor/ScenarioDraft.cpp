@@ -63,7 +63,8 @@ void ScenarioDraft::edit(const QString& what, const std::function<void(Json&)>& 
 }
 
 void ScenarioDraft::set(const std::string& path, Json value, const QString& what, const QString& going) {
-    edit(what, [&](Json& document) { put(document, path, std::move(value)); }, going);
+    edit(
+        what, [&](Json& document) { put(document, path, std::move(value)); }, going);
 }
 
 void ScenarioDraft::show(std::shared_ptr<const Json> document) {

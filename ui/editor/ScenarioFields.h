@@ -8,8 +8,8 @@ namespace sagara::ui::editor {
 struct Section {
     std::string id;  ///< "route"
     QString title;
-    QString icon;    ///< of assets/icons
-    QString about;   ///< one sentence for who sees it first
+    QString icon;               ///< of assets/icons
+    QString about;              ///< one sentence for who sees it first
     std::vector<Field> fields;  ///< keys are paths in the document
     bool holds(const std::string& path) const;
 };

@@ -45,9 +45,10 @@ void WeatherAid::load() {
     m_beaufort->setCurrentIndex(core::beaufortOfWind(wind_mps));
     const bool ocean = textAt(document, "weather.exposure") == "ocean";
     const auto sea = core::windSea(wind_mps, 0.0, ocean ? core::Exposure::Ocean : core::Exposure::Inshore);
-    QString text = sea ? words("Wind sea %1 m high, %2 s.")
-                             .arg(chart::number(sea->significantHeight_m, 1), chart::number(sea->peakPeriod_s, 1))
-                       : words("No wind sea.");
+    QString text =
+        sea ? words("Wind sea %1 m high, %2 s.")
+                  .arg(chart::number(sea->significantHeight_m, 1), chart::number(sea->peakPeriod_s, 1))
+            : words("No wind sea.");
     const auto start = core::parseUtc(textAt(document, "startUtc"));
     if (const core::Area* area = m_context.area().get(); area && start) {
         const core::TidePrediction tide(area->meanTideLevel_m, area->tide, *start);
@@ -94,9 +95,11 @@ void LevelsAid::load() {
                     .arg(chart::number(times("windFactor", "weather.wind.speed_kn"), 0),
                          chart::shortNumber(times("visibilityFactor", "weather.visibility_M"), 1));
         if (sizeAt(document, "weather.swells") > 0)
-            html += words(", swell %1 m").arg(chart::number(times("seaFactor", "weather.swells[0].height_m"), 1));
+            html +=
+                words(", swell %1 m").arg(chart::number(times("seaFactor", "weather.swells[0].height_m"), 1));
         if (!ships.isEmpty())
-            html += (level == 1 ? words("; ships: %1") : words("; and %1")).arg(ships.join(QStringLiteral(", ")));
+            html +=
+                (level == 1 ? words("; ships: %1") : words("; and %1")).arg(ships.join(QStringLiteral(", ")));
         html += QStringLiteral("</p>");
     }
     m_says->setText(html);

@@ -9,7 +9,8 @@ class QLabel;
 
 namespace sagara::ui::editor {
 
-/// VIEW above the weather's fields: the Beaufort scale, the sea that belongs to the wind, the tide at the start.
+/// VIEW above the weather's fields: the Beaufort scale, the sea that belongs to the wind, the tide at the
+/// start.
 class WeatherAid final : public QWidget {
     Q_OBJECT
 public:

@@ -126,9 +126,10 @@ void Workbench::addPages() {
         m_pages.push_back({page(s.title, s.about, above, form), form});
         m_list->addItem(s.title);
     }
-    m_pages.push_back({page(words("Dry run"), words("Before trainees sail it: can it be done, and what is the score?"),
-                            nullptr, m_dryRun),
-                       nullptr});
+    m_pages.push_back(
+        {page(words("Dry run"), words("Before trainees sail it: can it be done, and what is the score?"),
+              nullptr, m_dryRun),
+         nullptr});
     m_list->addItem(words("Dry run"));
 }
 
@@ -157,15 +158,17 @@ void Workbench::addChartTools(QWidget& bar) {
         row->addWidget(b);
         return b;
     };
-    connect(button("whole-area", words("Whole area"), words("Show all of the chart")), &QToolButton::clicked, m_chart,
-            &ChartWidget::fitArea);
-    connect(button("show-scenario", words("Scenario"), words("Show the route and the own ships")), &QToolButton::clicked,
-            this, &Workbench::fitToDraft);
-    m_add = button("chart-add", words("Add by click"),
-                   words("Route: each click is a waypoint after the chosen one. Traffic: the next point of the chosen "
-                         "ship. Own ship: puts her there"));
+    connect(button("whole-area", words("Whole area"), words("Show all of the chart")), &QToolButton::clicked,
+            m_chart, &ChartWidget::fitArea);
+    connect(button("show-scenario", words("Scenario"), words("Show the route and the own ships")),
+            &QToolButton::clicked, this, &Workbench::fitToDraft);
+    m_add = button(
+        "chart-add", words("Add by click"),
+        words("Route: each click is a waypoint after the chosen one. Traffic: the next point of the chosen "
+              "ship. Own ship: puts her there"));
     m_add->setCheckable(true);
-    auto* const range = button("chart-range", words("Range and bearing"), words("Drag a line on the chart (Esc ends)"));
+    auto* const range =
+        button("chart-range", words("Range and bearing"), words("Drag a line on the chart (Esc ends)"));
     range->setCheckable(true);
     connect(range, &QToolButton::toggled, this, [this](bool on) {
         m_chart->chooseTool(on ? ChartTools::Tool::RangeBearing : ChartTools::Tool::None);
@@ -242,7 +245,8 @@ void Workbench::fitToDraft() {
     for (const auto& w : m_picture.scene.route.waypoints) extent.include(w.position);
     for (const auto& ship : m_picture.scene.ownShips) extent.include(ship.position);
     if (extent.empty) return m_chart->fitArea();
-    const double least_m = extent.height_m() + extent.width_m() < 500.0 ? 1500.0 : 300.0;  // a ship alone: her surroundings
+    const double least_m =
+        extent.height_m() + extent.width_m() < 500.0 ? 1500.0 : 300.0;  // a ship alone: her surroundings
     const core::NorthEast margin{0.12 * extent.height_m() + least_m, 0.12 * extent.width_m() + least_m};
     extent.include(extent.southWest - margin);
     extent.include(extent.northEast + margin);
@@ -257,15 +261,19 @@ void Workbench::refreshChart() {
         scene.tracks.push_back(m_dryRun->run().result().track);
     const auto start = core::parseUtc(textAt(m_context.draft().document(), "startUtc"));
     if (start && m_context.area())
-        scene.clockAtZero_s = static_cast<double>((start->unix_s + 60 * m_context.area()->utcOffset_min) % 86400);
+        scene.clockAtZero_s =
+            static_cast<double>((start->unix_s + 60 * m_context.area()->utcOffset_min) % 86400);
     const std::vector<ChartHandle> handles = std::exchange(scene.handles, m_chart->scene().handles);
     m_chart->setScene(std::move(scene));
     m_chart->setHandles(handles);  // leaves the one in the hand where it is
-    if (m_context.area()) m_context.setNewPlace(m_context.area()->frame.toGeo(m_chart->view().toChart(m_chart->view().middle())));
+    if (m_context.area())
+        m_context.setNewPlace(
+            m_context.area()->frame.toGeo(m_chart->view().toChart(m_chart->view().middle())));
 }
 
 void Workbench::dragged(int handle, core::NorthEast to) {
-    if (!m_context.area() || handle < 0 || static_cast<std::size_t>(handle) >= m_picture.handles.size()) return;
+    if (!m_context.area() || handle < 0 || static_cast<std::size_t>(handle) >= m_picture.handles.size())
+        return;
     const DraftHandle what = m_picture.handles[static_cast<std::size_t>(handle)];
     m_context.draft().edit(
         words("drag on the chart"), [&](Json& document) { drag(document, *m_context.area(), what, to); },
@@ -282,7 +290,8 @@ void Workbench::clicked(core::NorthEast place) {
                                  ? m_context.selected().substr(0, m_context.selected().find(']') + 1)
                                  : std::string("ownShips[0]");
     const bool alongside = m_context.draft().at(join(ship, "berth")) != nullptr;
-    const DraftHandle handle{alongside ? DraftHandle::Kind::ShipAtBerth : DraftHandle::Kind::Ship, ship, {}, {}, {}};
+    const DraftHandle handle{
+        alongside ? DraftHandle::Kind::ShipAtBerth : DraftHandle::Kind::Ship, ship, {}, {}, {}};
     m_context.draft().edit(words("own ship placed"),
                            [&](Json& document) { drag(document, *m_context.area(), handle, place); });
 }
@@ -292,7 +301,9 @@ void Workbench::addWaypoint(core::GeoPoint place) {
     const std::string path = "route.waypoints";
     const std::size_t count = sizeAt(m_context.draft().document(), path);
     const bool chosen = m_context.selected().starts_with(path + "[");
-    const std::size_t at = count == 0 ? 0 : chosen ? std::min(indexOf(m_context.selected()) + 1, count) : count;
+    const std::size_t at = count == 0 ? 0
+                           : chosen   ? std::min(indexOf(m_context.selected()) + 1, count)
+                                      : count;
     m_context.draft().edit(words("new waypoint"), [&](Json& document) {
         if (count == 0) {
             put(document, "route.name", textAt(document, "route.name", words("Route").toStdString()));
@@ -310,7 +321,8 @@ void Workbench::addWaypoint(core::GeoPoint place) {
 
 void Workbench::addTargetPoint(core::GeoPoint place) {
     const std::string& selected = m_context.selected();
-    if (!selected.starts_with("traffic[")) return m_context.say(words("Add a ship first, then click where she goes."));
+    if (!selected.starts_with("traffic["))
+        return m_context.say(words("Add a ship first, then click where she goes."));
     const std::string path = join(selected.substr(0, selected.find(']') + 1), "route");
     m_context.draft().edit(words("new point"), [&](Json& document) {
         Json all = sizeAt(document, path) == 0 ? Json::array() : *editor::find(document, path);

@@ -23,8 +23,10 @@ using namespace ui::editor;
 
 QString plain(const Json& value) {
     if (value.is_string()) return QString::fromStdString(value.get<std::string>());
-    if (value.is_number_float()) return QString::fromStdString(core::config::formatNumber(value.get<double>()));
-    if (value.is_object() && value.contains("lat")) return plain(value["lat"]) + QStringLiteral(", ") + plain(value["lon"]);
+    if (value.is_number_float())
+        return QString::fromStdString(core::config::formatNumber(value.get<double>()));
+    if (value.is_object() && value.contains("lat"))
+        return plain(value["lat"]) + QStringLiteral(", ") + plain(value["lon"]);
     return QString::fromStdString(value.dump());
 }
 
@@ -44,8 +46,10 @@ void EditorDriver::type(const std::string& line, const QString& text) const {
     if (!edit) return;
     edit->setFocus();
     edit->selectAll();
-    if (text.isEmpty()) QTest::keyClick(edit, Qt::Key_Delete);
-    else QTest::keyClicks(edit, text);
+    if (text.isEmpty())
+        QTest::keyClick(edit, Qt::Key_Delete);
+    else
+        QTest::keyClicks(edit, text);
     QTest::keyClick(edit, Qt::Key_Return);
 }
 
@@ -61,12 +65,15 @@ void EditorDriver::typeCell(const std::string& name, int row, int column, const 
     auto* const table = find<QTableView>(name);
     if (!table) return;
     table->setCurrentIndex(table->model()->index(row, column));
-    table->edit(table->currentIndex());
-    auto* const edit = table->viewport()->findChild<QLineEdit*>();
+    auto* edit = table->viewport()->findChild<QLineEdit*>();
+    if (!edit) table->edit(table->currentIndex());
+    if (!edit) edit = table->viewport()->findChild<QLineEdit*>();
     if (!edit) return fail("cell of " + name + " cannot be typed in");
     edit->selectAll();
-    if (text.isEmpty()) QTest::keyClick(edit, Qt::Key_Delete);
-    else QTest::keyClicks(edit, text);
+    if (text.isEmpty())
+        QTest::keyClick(edit, Qt::Key_Delete);
+    else
+        QTest::keyClicks(edit, text);
     QTest::keyClick(edit, Qt::Key_Return);
     QTest::qWait(0);  // the cell's line is taken away
     delete table->viewport()->findChild<QLineEdit*>();
@@ -142,7 +149,8 @@ void EditorDriver::enterList(const Field& field, const std::string& path, const 
     }
 }
 
-void EditorDriver::enterRow(const ListSpec& spec, const std::string& path, std::size_t row, const Json& value) const {
+void EditorDriver::enterRow(const ListSpec& spec, const std::string& path, std::size_t row,
+                            const Json& value) const {
     const std::string at = join(path, row);
     if (!spec.form) {
         for (std::size_t c = 0; c < spec.columns.size(); ++c) {

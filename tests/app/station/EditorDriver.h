@@ -34,7 +34,8 @@ public:
 
 private:
     static void fail(const std::string& what);
-    void enterList(const ui::editor::Field& field, const std::string& path, const ui::editor::Json& value) const;
+    void enterList(const ui::editor::Field& field, const std::string& path,
+                   const ui::editor::Json& value) const;
     void enterReferences(const ui::editor::Field& field, const std::string& path,
                          const ui::editor::Json& value) const;
 

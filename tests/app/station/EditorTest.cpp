@@ -13,7 +13,10 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <functional>
 #include <future>
 #include <nlohmann/json.hpp>
 
@@ -99,13 +102,16 @@ protected:
     void keepPictures(const QString& name) {
         const char* const folder = std::getenv("SAGARA_UI_PICTURES");
         if (!folder) return;
-        for (const auto& [palette, suffix] : {std::pair{ui::PaletteName::Day, "day"}, {ui::PaletteName::Night, "night"}}) {
+        for (const auto& [palette, suffix] :
+             {std::pair{ui::PaletteName::Day, "day"}, {ui::PaletteName::Night, "night"}}) {
             ui::applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()), palette);
             m_page->setColours(palette);
             for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
                 m_page->resize(size);
                 QTest::qWait(50);
-                m_page->grab().save(QStringLiteral("%1/%2-%3-%4.png").arg(QString::fromUtf8(folder), name, QString::fromUtf8(suffix)).arg(size.width()));
+                m_page->grab().save(QStringLiteral("%1/%2-%3-%4.png")
+                                        .arg(QString::fromUtf8(folder), name, QString::fromUtf8(suffix))
+                                        .arg(size.width()));
             }
         }
         ui::applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ui::PaletteName::Day);
@@ -168,10 +174,14 @@ TEST_F(EditorWindow, TheLessonIsRebuiltFromAnEmptyScenarioAndTheDryRunGradesItAl
             const Json* value = find(lesson, field.key);
             if (value) hands().enter(field, field.key, *value);
         }
-        if (section.id == "route" || section.id == "traffic" || section.id == "criteria" || section.id == "pilot")
+        if (section.id == "route" || section.id == "traffic" || section.id == "criteria" ||
+            section.id == "pilot")
             keepPictures(QString::fromStdString("rebuilt-" + section.id));
     }
-    EXPECT_EQ(nlohmann::json::diff(nlohmann::json::parse(*lessonText), nlohmann::json::parse(document().dump())).dump(), "[]");
+    EXPECT_EQ(
+        nlohmann::json::diff(nlohmann::json::parse(*lessonText), nlohmann::json::parse(document().dump()))
+            .dump(),
+        "[]");
     ASSERT_TRUE(checked());
     EXPECT_TRUE(problemPaths().empty()) << problemPaths().front();
 
@@ -207,7 +217,8 @@ TEST_F(EditorWindow, AProblemLeadsToItsFieldAndGoesWhenItIsMended) {
     ASSERT_TRUE(checked());
     auto* const list = hands().find<QListWidget>("problems");
     ASSERT_EQ(list->count(), 1);
-    EXPECT_TRUE(list->item(0)->text().contains(QStringLiteral("0 to 120 kn"))) << list->item(0)->text().toStdString();
+    EXPECT_TRUE(list->item(0)->text().contains(QStringLiteral("0 to 120 kn")))
+        << list->item(0)->text().toStdString();
     keepPictures(QStringLiteral("problem"));
     Q_EMIT list->itemClicked(list->item(0));
     auto* const field = hands().find<QLineEdit>("weather.wind.speed_kn");
@@ -283,7 +294,8 @@ TEST_F(EditorWindow, ACircleIsDraggedToAnotherPlaceAndMadeWider) {
     const auto area = files::buildScenario(*m_store, "basic-navigation").value()->area;
     const core::NorthEast from = handle("Anchor and bring up: drag to another");
     drag(chart()->view().toScreen(from), chart()->view().toScreen(area.findPlace("entrance_mid")->position));
-    const std::string near = textAt(document(), "mission.tasks[3].to") + " " + textAt(document(), "mission.tasks[4].at");
+    const std::string near =
+        textAt(document(), "mission.tasks[3].to") + " " + textAt(document(), "mission.tasks[4].at");
     EXPECT_NE(near.find("entrance_mid"), std::string::npos) << near;
 }
 
@@ -295,7 +307,8 @@ TEST_F(EditorWindow, ANewScenarioIsStoredAsTheUsersOwnAndOpensAgain) {
     EXPECT_FALSE(m_page->draft().isSaved());
     hands().click("save");
     EXPECT_TRUE(m_page->draft().isSaved());
-    const auto entry = db::DocumentRepository(*m_store->database(), db::DocumentTable::Scenario).entry("my-own");
+    const auto entry =
+        db::DocumentRepository(*m_store->database(), db::DocumentTable::Scenario).entry("my-own");
     ASSERT_TRUE(entry);
     EXPECT_EQ(entry->origin, db::Origin::User);
     EXPECT_EQ(entry->name, "Rebuilt");
@@ -312,7 +325,8 @@ TEST_F(EditorWindow, AnEmptyScenarioOnlyLacksItsMission) {
     createEmpty("my-own");
     ASSERT_TRUE(areaShown());
     ASSERT_TRUE(checked());
-    EXPECT_EQ(problemPaths(), (std::vector<std::string>{"mission.objective", "mission.competenceCode", "mission.briefing"}));
+    EXPECT_EQ(problemPaths(),
+              (std::vector<std::string>{"mission.objective", "mission.competenceCode", "mission.briefing"}));
 }
 
 TEST_F(EditorWindow, LeavingWithChangesAsks) {
@@ -331,7 +345,8 @@ TEST_F(EditorWindow, LeavingWithChangesAsks) {
     EXPECT_TRUE(answer(QMessageBox::Discard));
     EXPECT_TRUE(answer(QMessageBox::Save));
     EXPECT_TRUE(m_page->draft().isSaved());
-    const auto kept = db::DocumentRepository(*m_store->database(), db::DocumentTable::Scenario).entry("basic-navigation");
+    const auto kept =
+        db::DocumentRepository(*m_store->database(), db::DocumentTable::Scenario).entry("basic-navigation");
     EXPECT_EQ(kept->origin, db::Origin::User);
     EXPECT_EQ(kept->name, "Changed");
 }
@@ -361,6 +376,37 @@ TEST_F(EditorWindow, ADryRunCanBeCancelled) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !panel->run().running(); }, 20'000));
     EXPECT_TRUE(panel->run().result().cancelled);
     EXPECT_FALSE(panel->run().result().tasks[4].done);
+}
+
+/// Of this thread, so that a busy machine does not count.
+double worked_ms(const std::function<void()>& work) {
+    const auto now = [] {
+        timespec t{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+        return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+    };
+    const double begun_ms = now();
+    work();
+    return now() - begun_ms;
+}
+
+TEST_F(EditorWindow, NothingHoldsTheWindowUpForATenthOfASecond) {
+    constexpr double kStall_ms = 100.0;  // issue 4, section 6
+    EXPECT_LT(worked_ms([&] { ASSERT_FALSE(m_page->open("basic-navigation")); }), kStall_ms);
+    ASSERT_TRUE(areaShown());
+    for (const Section& section : scenarioSections()) {
+        const double took_ms = worked_ms([&] { hands().openSection(section.id); });
+        EXPECT_LT(took_ms, kStall_ms) << section.id;
+    }
+    hands().openSection("general");
+    auto* const name = hands().find<QLineEdit>("name");
+    const double key_ms = worked_ms([&] { QTest::keyClicks(name, QStringLiteral("0123456789")); }) / 10.0;
+    EXPECT_LT(key_ms, kStall_ms);
+    hands().openSection("route");
+    const QPointF from = chart()->view().toScreen(chart()->scene().route.waypoints[5].position);
+    const double drag_ms = worked_ms([&] { drag(from, from + QPointF(60, 10)); }) / 3.0;
+    EXPECT_LT(drag_ms, kStall_ms);
+    std::printf("a key %.1f ms, a step of a drag %.1f ms\n", key_ms, drag_ms);
 }
 
 TEST_F(EditorWindow, PagesOfTheForm) {

@@ -40,7 +40,8 @@ TEST(ScenarioDraft, JoinsStepsThatGoOnUntilTheyEnd) {
     ScenarioDraft draft;
     draft.reset(sample(), true);
     EXPECT_TRUE(draft.isSaved());
-    for (const char* text : {"t", "ty", "typ"}) draft.set("z", text, QStringLiteral("typing"), QStringLiteral("z"));
+    for (const char* text : {"t", "ty", "typ"})
+        draft.set("z", text, QStringLiteral("typing"), QStringLiteral("z"));
     EXPECT_EQ(draft.history().count(), 1);
     EXPECT_FALSE(draft.isSaved());
     draft.endGoing();

@@ -34,7 +34,8 @@ TEST(EditorNumber, KeepsWholeNumbersWholeAndRefusesWords) {
     const Field field = number("n", {}, 0, 120, QStringLiteral("kn"), {}, 0);
     EXPECT_EQ(typed(field, QStringLiteral(" 12 "))->dump(), "12");
     EXPECT_EQ(typed(field, QStringLiteral("8,5"))->dump(), "8.5");
-    for (const char* bad : {"", "abc", "1.2.3", "nan", "inf"}) EXPECT_FALSE(typed(field, QString::fromUtf8(bad))) << bad;
+    for (const char* bad : {"", "abc", "1.2.3", "nan", "inf"})
+        EXPECT_FALSE(typed(field, QString::fromUtf8(bad))) << bad;
     EXPECT_FALSE(typed(integer("i", {}, 1, 5, {}, 1), QStringLiteral("2.5")));
     EXPECT_EQ(accepted(field), QStringLiteral("0 to 120 kn"));
     const Json value = 0.12;

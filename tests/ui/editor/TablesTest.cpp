@@ -18,7 +18,8 @@ std::string problemsWith(const std::string& path, Json value) {
 }
 
 /// Whether a table has a field for every member of a value.
-void expectKnown(const std::vector<Field>& fields, const std::string& kindKey, const Json& value, const std::string& path) {
+void expectKnown(const std::vector<Field>& fields, const std::string& kindKey, const Json& value,
+                 const std::string& path) {
     for (const auto& [key, member] : value.items()) {
         const std::string at = join(path, key);
         bool known = key == kindKey;
@@ -90,17 +91,21 @@ Json rowOf(const ListSpec& spec, const Variant& variant) {
     return row;
 }
 
+/// All kinds in one document, bare and with all that may be said: reading an area takes its time.
 void expectEveryKindTaken(const ListSpec& spec, const std::string& path) {
+    Json rows = Json::array();
     for (const Variant& v : spec.variants) {
-        const Json row = rowOf(spec, v);
-        EXPECT_EQ(problemsWith(path, Json::array({row})), "") << v.value << " " << row.dump();
-        Json full = row;  // with all that may be said
+        Json row = rowOf(spec, v);
+        if (row.contains("id")) row["id"] = v.value;
+        if (path == "events[0].orders" && v.value == "anchor") row["shackles"] = 3;
+        rows.push_back(row);
+        if (path == "events[0].orders") continue;  // some members go with some values only
+        if (row.contains("id")) row["id"] = v.value + "-full";
         for (const Field& f : v.fields)
-            if (f.optional && !f.initial.is_null()) put(full, f.key, f.initial);
-        const std::string problems = problemsWith(path, Json::array({full}));
-        EXPECT_EQ(problems.find("is unknown, expected one of"), problems.find(" is unknown, expected one of action"))
-            << v.value << ": " << problems;
+            if (f.optional && !f.initial.is_null()) put(row, f.key, f.initial);
+        rows.push_back(row);
     }
+    EXPECT_EQ(problemsWith(path, rows), "") << rows.dump();
 }
 
 TEST(EditorTables, MakeTasksTheLoaderTakes) { expectEveryKindTaken(taskList(), "mission.tasks"); }
@@ -108,24 +113,24 @@ TEST(EditorTables, MakeCriteriaTheLoaderTakes) { expectEveryKindTaken(criterionL
 TEST(EditorTables, MakePilotStepsTheLoaderTakes) { expectEveryKindTaken(pilotList(), "pilot"); }
 
 TEST(EditorTables, MakeOrdersTheLoaderTakes) {
-    const ListSpec spec = orderList();
-    ASSERT_EQ(spec.variants.size(), 13u) << "kinds in OrderDocument.cpp";
-    for (const Variant& v : spec.variants) {
-        Json row = rowOf(spec, v);
-        if (v.value == "anchor") row["shackles"] = 3;
-        EXPECT_EQ(problemsWith("events[0].orders", Json::array({row})), "") << v.value << " " << row.dump();
-    }
+    EXPECT_EQ(orderList().variants.size(), 13u) << "kinds in OrderDocument.cpp";
+    expectEveryKindTaken(orderList(), "events[0].orders");
 }
 
 TEST(EditorTables, HaveEveryKindTheLoaderKnows) {
     const auto knownBy = [](const std::string& path, const std::string& key) {
-        const std::string problems = problemsWith(path, Json::array({Json{{"id", "x"}, {"title", "x"}, {"weight", 1}, {"points", 1}, {key, "?"}}}));
+        const std::string problems = problemsWith(
+            path, Json::array({Json{{"id", "x"}, {"title", "x"}, {"weight", 1}, {"points", 1}, {key, "?"}}}));
         const std::size_t at = problems.find("one of ");
         std::string list = problems.substr(at + 7);
-        return std::count(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(std::min(list.find('\n'), list.size())), ',') + 1;
+        return std::count(list.begin(),
+                          list.begin() + static_cast<std::ptrdiff_t>(std::min(list.find('\n'), list.size())),
+                          ',') +
+               1;
     };
     EXPECT_EQ(knownBy("mission.tasks", "kind"), static_cast<std::ptrdiff_t>(taskList().variants.size()));
-    EXPECT_EQ(knownBy("mission.criteria", "kind"), static_cast<std::ptrdiff_t>(criterionList().variants.size()));
+    EXPECT_EQ(knownBy("mission.criteria", "kind"),
+              static_cast<std::ptrdiff_t>(criterionList().variants.size()));
     EXPECT_EQ(knownBy("pilot", "do"), static_cast<std::ptrdiff_t>(pilotList().variants.size()));
 }
 
