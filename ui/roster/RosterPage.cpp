@@ -47,7 +47,10 @@ RosterPage::RosterPage(std::unique_ptr<RosterPort> port, QWidget* parent)
     layout->addWidget(m_tabs, 1);
     connect(back, &QPushButton::clicked, this, &Page::leaveWanted);
     connect(m_tabs, &QTabWidget::currentChanged, this, &RosterPage::refresh);
-    connect(m_people, &PeoplePanel::changedRoster, this, &RosterPage::refresh);
+    connect(m_people, &PeoplePanel::changedRoster, this, [this] {
+        m_people->refresh();
+        m_trouble->setText(m_port->trouble());
+    });
     connect(m_people, &PeoplePanel::assignWanted, this, [this](std::int64_t person) {
         m_tabs->setCurrentWidget(m_assignments);
         m_assignments->assignTo(person);
