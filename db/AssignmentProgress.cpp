@@ -80,8 +80,12 @@ std::vector<AssignmentProgress> assignmentProgress(Database& db, core::Utc now) 
     const std::vector<AssignmentRecord> assignments = AssignmentRepository(db).list();
     std::vector<AssignmentProgress> all;
     if (assignments.empty()) return all;
+    const auto oldest =
+        std::min_element(assignments.begin(), assignments.end(),
+                         [](const auto& a, const auto& b) { return a.created.unix_s < b.created.unix_s; });
     RunsByPerson finished;
-    for (RunRecord& run : RunRepository(db).finished()) finished[*run.start.person].push_back(std::move(run));
+    for (RunRecord& run : RunRepository(db).finished(oldest->created))
+        finished[*run.start.person].push_back(std::move(run));
     for (const AssignmentRecord& a : assignments) all.push_back(progressOf(a, people, finished, now));
     return all;
 }
