@@ -1,6 +1,7 @@
 #include "db/AssignmentProgress.h"
 
 #include <algorithm>
+#include <map>
 
 #include "db/sql/Words.h"
 
@@ -35,12 +36,16 @@ std::vector<PersonRecord> membersOf(const AssignmentRecord& assignment,
     return members;
 }
 
+using RunsByPerson = std::map<PersonId, std::vector<RunRecord>>;
+
 AssignmentProgress progressOf(const AssignmentRecord& assignment, const std::vector<PersonRecord>& people,
-                              const std::vector<RunRecord>& finished, core::Utc now) {
+                              const RunsByPerson& finished, core::Utc now) {
+    static const std::vector<RunRecord> kNone;
     AssignmentProgress progress;
     progress.assignment = assignment;
     for (PersonRecord& p : membersOf(assignment, people)) {
-        const auto done = firstFulfilled(assignment, p.id, finished);
+        const auto runs = finished.find(p.id);
+        const auto done = firstFulfilled(assignment, p.id, runs == finished.end() ? kNone : runs->second);
         const AssignmentState state = stateOf(done.has_value(), assignment.what.due, now);
         progress.members.push_back({std::move(p), done, state});
     }
@@ -72,10 +77,16 @@ std::optional<core::Utc> firstFulfilled(const AssignmentRecord& assignment, Pers
 
 std::vector<AssignmentProgress> assignmentProgress(Database& db, core::Utc now) {
     const std::vector<PersonRecord> people = PersonRepository(db).all();
-    const std::vector<RunRecord> finished = RunRepository(db).finished();
+    const std::vector<AssignmentRecord> assignments = AssignmentRepository(db).list();
     std::vector<AssignmentProgress> all;
-    for (const AssignmentRecord& a : AssignmentRepository(db).list())
-        all.push_back(progressOf(a, people, finished, now));
+    if (assignments.empty()) return all;
+    const auto oldest =
+        std::min_element(assignments.begin(), assignments.end(),
+                         [](const auto& a, const auto& b) { return a.created.unix_s < b.created.unix_s; });
+    RunsByPerson finished;
+    for (RunRecord& run : RunRepository(db).finished(oldest->created))
+        finished[*run.start.person].push_back(std::move(run));
+    for (const AssignmentRecord& a : assignments) all.push_back(progressOf(a, people, finished, now));
     return all;
 }
 

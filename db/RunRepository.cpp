@@ -123,9 +123,11 @@ std::vector<RunRecord> RunRepository::list(Page page) const {
                          page.offset));
 }
 
-std::vector<RunRecord> RunRepository::finished() const {
+std::vector<RunRecord> RunRepository::finished(core::Utc since) const {
     return readAll(Query(m_db.connection(),
-                         kSelect + u"WHERE status = 'finished' AND person_id IS NOT NULL ORDER BY id"_s));
+                         kSelect + u"WHERE started_utc >= ? AND status = 'finished' "
+                                   "AND person_id IS NOT NULL ORDER BY id"_s,
+                         since));
 }
 
 std::vector<RunRecord> RunRepository::finishedBy(PersonId person) const {

@@ -68,7 +68,8 @@ public:
     std::optional<RunRecord> find(RunId id) const;
     std::optional<RunRecord> findByRecording(std::string_view recordingFile) const;
     std::vector<RunRecord> list(Page page = {}) const;  ///< newest first
-    std::vector<RunRecord> finished() const;            ///< sailed to the end, by somebody named
+    /// Sailed to the end by somebody named, begun then or later.
+    std::vector<RunRecord> finished(core::Utc since) const;
     std::vector<RunRecord> finishedBy(PersonId person) const;
     std::int64_t count() const;
 

@@ -56,11 +56,11 @@ void drawSignature(QPainter& painter, double from_mm, double to_mm, double y_mm,
 void drawSignatures(QPainter& painter, const QRectF& area, const AssessorNote& note) {
     const double y_mm = area.bottom() - 4.5;
     const bool entered = !note.signedBy.empty();
-    drawSignature(painter, area.left(), area.left() + 74.0, y_mm,
+    drawSignature(painter, area.left(), area.left() + 66.0, y_mm,
                   entered ? tr("Assessor: signed off in Sagara") : tr("Assessor: name and signature"),
                   fromStd(note.signedBy));
-    drawSignature(painter, area.left() + 80.0, area.left() + 134.0, y_mm, tr("Trainee: signature"));
-    drawSignature(painter, area.left() + 140.0, area.right(), y_mm, tr("Date"),
+    drawSignature(painter, area.left() + 72.0, area.left() + 120.0, y_mm, tr("Trainee: signature"));
+    drawSignature(painter, area.left() + 126.0, area.right(), y_mm, tr("Date"),
                   entered ? utcTime(note.signedAt) : QString());
 }
 
@@ -81,11 +81,11 @@ Block roomToWrite() {
 /// A signed run without the assessor's own result confirms the automatic one; an unsigned one decides
 /// nothing.
 QString decisionText(const RunReport& report, const AssessorNote& note) {
-    const auto result = [](bool passed) { return passed ? tr("passed") : tr("not passed"); };
+    const auto result = [](bool passed) { return passed ? tr("Passed") : tr("Not passed"); };
     if (note.overrule) {
         return tr("%1, %2 of 100. This overrules the automatic result (%3, %4 of 100).")
-            .arg(result(note.overrule->passed), shortNumber(note.overrule->score, 1), result(report.passed),
-                 shortNumber(report.score, 1));
+            .arg(result(note.overrule->passed), shortNumber(note.overrule->score, 1),
+                 result(report.passed).toLower(), shortNumber(report.score, 1));
     }
     if (note.signedBy.empty()) return tr("The automatic result stands; not signed off.");
     return tr("%1, %2 of 100: as graded automatically.")

@@ -216,6 +216,7 @@ void PersonForm::check() {
     m_save->setEnabled(m_changed && sound);
     m_save->setText(m_person.id == 0 ? tr("Add to the roster") : tr("Save"));
     m_cancel->setEnabled(m_changed || m_person.id == 0);
+    for (QPushButton* other : {m_retire, m_assign, m_runs}) other->setEnabled(!m_changed);
     Q_EMIT changedNow(m_changed);
 }
 

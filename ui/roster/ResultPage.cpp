@@ -38,6 +38,19 @@ Cell ordered(const QString& text, double order, Tone tone = Tone::Plain) {
     return cell;
 }
 
+/// Who, what and when; of a run that is not filed only what is known of it.
+QString factsOf(const Result& r) {
+    const QString sailed = ResultPage::tr("sailed %1").arg(duration(r.duration_s));
+    if (r.type.isEmpty()) return sailed;
+    const bool counts = r.type == QLatin1String("assess");
+    return QStringList{
+        r.person.isEmpty() ? ResultPage::tr("Nobody named") : r.person,
+        ResultPage::tr("%1, level %2").arg(typeName(r.type)).arg(r.level),
+        ResultPage::tr("begun %1").arg(dateTime(r.started)), sailed,
+        counts ? ResultPage::tr("counts as a grade") : ResultPage::tr("practice, does not count as a grade")}
+        .join(QStringLiteral("  ·  "));
+}
+
 Row rowOf(std::int64_t number, const Result::Task& t) {
     return {number,
             {t.title, t.done ? ordered(duration(t.time_s), t.time_s)
@@ -164,14 +177,7 @@ void ResultPage::refresh() {
     m_result = m_port->result();
     setWindowTitle(tr("Result: %1").arg(m_result.mission));
     m_title->setText(m_result.mission);
-    const QString who = m_result.person.isEmpty() ? tr("Nobody named") : m_result.person;
-    m_facts->setText(tr("%1  ·  %2, level %3  ·  begun %4  ·  sailed %5%6")
-                         .arg(who, typeName(m_result.type))
-                         .arg(m_result.level)
-                         .arg(dateTime(m_result.started), duration(m_result.duration_s),
-                              m_result.type == QLatin1String("assess")
-                                  ? tr("  ·  counts as a grade")
-                                  : tr("  ·  practice, does not count as a grade")));
+    m_facts->setText(factsOf(m_result));
     std::vector<Row> tasks, losses;
     for (const auto& t : m_result.tasks) tasks.push_back(rowOf(std::int64_t(tasks.size()) + 1, t));
     for (const auto& l : m_result.losses) losses.push_back(rowOf(std::int64_t(losses.size()) + 1, l));

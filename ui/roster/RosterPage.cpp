@@ -46,7 +46,11 @@ RosterPage::RosterPage(std::unique_ptr<RosterPort> port, QWidget* parent)
     layout->addLayout(top);
     layout->addWidget(m_tabs, 1);
     connect(back, &QPushButton::clicked, this, &Page::leaveWanted);
-    connect(m_people, &PeoplePanel::changedRoster, this, &RosterPage::refresh);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &RosterPage::refresh);
+    connect(m_people, &PeoplePanel::changedRoster, this, [this] {
+        m_people->refresh();
+        m_trouble->setText(m_port->trouble());
+    });
     connect(m_people, &PeoplePanel::assignWanted, this, [this](std::int64_t person) {
         m_tabs->setCurrentWidget(m_assignments);
         m_assignments->assignTo(person);
@@ -71,15 +75,16 @@ bool RosterPage::mayLeave() {
 }
 
 void RosterPage::refresh() {
-    m_people->refresh();
-    m_assignments->refresh();
-    m_history->refresh();
+    QWidget* const shown = m_tabs->currentWidget();
+    if (shown == m_people && !m_people->changed()) m_people->refresh();
+    if (shown == m_assignments) m_assignments->refresh();
+    if (shown == m_history) m_history->refresh();
     m_trouble->setText(m_port->trouble());
 }
 
 void RosterPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
-    if (!m_people->changed()) refresh();
+    refresh();
 }
 
 }  // namespace sagara::ui::roster

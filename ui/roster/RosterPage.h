@@ -24,7 +24,7 @@ public:
     void setColours(PaletteName palette) override;
     bool mayLeave() override;
     QString helpTopic() const override { return QStringLiteral("roster"); }
-    void refresh();
+    void refresh();  ///< reads again for the tab in front; the others do so when they come there
 
 protected:
     void showEvent(QShowEvent* event) override;  ///< reads again: something may have been sailed meanwhile

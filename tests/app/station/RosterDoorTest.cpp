@@ -17,8 +17,10 @@
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
+#include <QTabWidget>
 #include <QTest>
 #include <cstdlib>
+#include <ctime>
 
 #include "app/station/ResultStore.h"
 #include "app/station/StationRun.h"
@@ -314,17 +316,18 @@ TEST_F(RosterDoor, TheRosterOfASchoolOpensFast) {
         "(scenario_key, scenario_name, class_id, due_utc, type, level, created_utc) SELECT "
         "'basic-navigation', 'Basic Navigation', 1, '2027-02-15T08:00:00Z', 'assess', 3, "
         "'2027-01-10T08:00:00Z' FROM n"));
-    QElapsedTimer timer;
-    timer.start();
     m_page.reset(rosterPage(*m_frame));
     look(*m_page, "door-school");
-    const auto opened_ms = timer.elapsed();
-    RecordProperty("opened_ms", static_cast<int>(opened_ms));
-    timer.restart();
-    static_cast<roster::RosterPage*>(m_page.get())->refresh();
-    const auto refreshed_ms = timer.elapsed();
-    std::printf("opened in %d ms, read again in %d ms\n", int(opened_ms), int(refreshed_ms));
-    EXPECT_LT(refreshed_ms, 2000);  // wide: shared machines; what it takes is printed above
+    auto* const tabs = find<QTabWidget>("roster-tabs");
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+        tabs->setCurrentIndex(tab);
+        const std::clock_t begin = std::clock();
+        static_cast<roster::RosterPage*>(m_page.get())->refresh();
+        const double took_ms = 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+        std::printf("tab %d is read in %.0f ms of the processor\n", tab, took_ms);
+        EXPECT_LT(took_ms, 400.0);  // asked are 100; wide for sanitizers and slow machines
+    }
+    look(*m_page, "door-school-runs");
 }
 
 }  // namespace
