@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/files/Files.h"
+#include "app/replay/NotesFile.h"
 #include "core/exercise/RecordingBranch.h"
 
 namespace sagara::replay {
@@ -43,6 +44,9 @@ BranchRun::BranchRun(run::Store& store, std::shared_ptr<const Film> film, Beginn
     write(b.bytes);
     m_writer.goOn(b.from);
     m_filingTrouble = m_filing.begin(m_run);
+    // who debriefs it later sees where it begins; without that it is sound all the same
+    (void)NotesFile(m_file->path())
+        .add({from(), "What if: sailed anew from here, out of " + m_film->file.filename().string()});
     m_live = std::make_unique<live::LiveRun>(m_film->world, std::move(b.from), std::vector<core::Command>{},
                                              &m_writer);
 }

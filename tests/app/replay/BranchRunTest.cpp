@@ -106,6 +106,9 @@ TEST_F(WhatIf, TheOriginalStaysAsItIsAndTheBranchReplaysAsARunOfItsOwn) {
     ASSERT_EQ(runs.size(), 1u);
     EXPECT_EQ(runs[0].start.type, db::RunType::Train);
     EXPECT_FALSE(runs[0].start.person.has_value());
+    const auto notes = NotesFile(recording).read();
+    ASSERT_EQ(notes.size(), 1u) << "it says where it comes from";
+    EXPECT_EQ(notes[0].time, core::timeOfTick(kFrom));
 }
 
 TEST_F(WhatIf, WithoutNewOrdersItSailsAsRecordedUntilTheNextCommand) {
