@@ -116,7 +116,7 @@ TEST_F(WhatIf, WithoutNewOrdersItSailsAsRecordedUntilTheNextCommand) {
     sail(*run, 68.0);
     const auto track = run->track();
     ASSERT_GT(track.size(), 30u);
-    EXPECT_EQ(track.front().tick, kFrom);
+    EXPECT_EQ(track.front().tick, kFrom + core::kTrackEvery_ticks);
     for (const core::TrackSample& sample : track) {
         if (sample.tick > 69 * core::kTicksPerSecond) break;  // the recorded helm was taken at 70 s
         const auto& original = m_film->track[static_cast<std::size_t>(sample.tick / core::kTrackEvery_ticks)];

@@ -376,15 +376,21 @@ TEST_F(Debrief, TheWindowAnswersAllTheTime) {
     const qint64 jumping_ms = std::exchange(longest_ms, 0);
     press("sail-from-here");
     ASSERT_TRUE(QTest::qWaitFor([&] { return desk().branch() != nullptr; }, 10'000));
+    const qint64 leaving_ms = std::exchange(longest_ms, 0);
     press("branch-start");
     sailTo(120.0);
+    const qint64 sailing_ms = std::exchange(longest_ms, 0);
     press("compare");
     QTest::qWait(100);
+    const qint64 comparing_ms = std::exchange(longest_ms, 0);
     press("compare-close");
     QTest::qWait(100);
-    std::printf("opened in %lld ms; longest pause: opening %lld ms, jumping %lld ms, what if %lld ms\n",
-                opened_ms, opening_ms, jumping_ms, longest_ms);
-    EXPECT_LT(std::max({opening_ms, jumping_ms, longest_ms}), 1000) << "100 on an idle machine";
+    std::printf(
+        "opened in %lld ms; longest pause, ms: opening %lld, jumping %lld, leaving %lld, sailing %lld, "
+        "comparing %lld, filing %lld\n",
+        opened_ms, opening_ms, jumping_ms, leaving_ms, sailing_ms, comparing_ms, longest_ms);
+    EXPECT_LT(std::max({opening_ms, jumping_ms, leaving_ms, sailing_ms, comparing_ms, longest_ms}), 1000)
+        << "100 on an idle machine";
 }
 
 TEST(Recordings, Pictures) {
