@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/files/Files.h"
-#include "core/exercise/RecordingBranch.h"
+#include "app/replay/NotesFile.h"
 
 namespace sagara::replay {
 
@@ -39,10 +37,14 @@ BranchRun::BranchRun(run::Store& store, std::shared_ptr<const Film> film, Beginn
       m_file(std::move(b.file)),
       m_filing(store),
       m_run(m_filing.newRun(b.header, *m_film->world, m_file->path())),
+      m_track(m_film->world->ships.size(), m_film->world->targets.size()),
       m_writer([this](std::span<const std::byte> bytes) { write(bytes); }) {
-    write(b.bytes);
+    m_file->write(b.bytes);
     m_writer.goOn(b.from);
     m_filingTrouble = m_filing.begin(m_run);
+    // who debriefs it later sees where it begins; without that it is sound all the same
+    (void)NotesFile(m_file->path())
+        .add({from(), "What if: sailed anew from here, out of " + m_film->file.filename().string()});
     m_live = std::make_unique<live::LiveRun>(m_film->world, std::move(b.from), std::vector<core::Command>{},
                                              &m_writer);
 }
@@ -52,7 +54,7 @@ BranchRun::~BranchRun() { finish(); }
 void BranchRun::write(std::span<const std::byte> bytes) {
     m_file->write(bytes);
     const std::lock_guard lock(m_mutex);
-    m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
+    m_track.take(bytes);
     m_recordingTrouble = m_file->trouble();
 }
 
@@ -67,18 +69,8 @@ std::string BranchRun::trouble() const {
 }
 
 std::vector<core::TrackSample> BranchRun::track() const {
-    core::Bytes bytes;
-    {
-        const std::lock_guard lock(m_mutex);
-        bytes = m_bytes;
-    }
-    const auto recording = core::readRecording(bytes);
-    if (!recording) return {};
-    auto track = recording->track(m_film->world->ships.size(), m_film->world->targets.size());
-    const auto since = std::find_if(track.begin(), track.end(),
-                                    [this](const auto& sample) { return sample.tick >= m_from; });
-    track.erase(track.begin(), since);
-    return track;
+    const std::lock_guard lock(m_mutex);
+    return m_track.track();
 }
 
 const std::string& BranchRun::finish() {

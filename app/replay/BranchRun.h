@@ -7,6 +7,7 @@
 #include "app/replay/Film.h"
 #include "app/run/RecordingFile.h"
 #include "app/run/RunFiling.h"
+#include "core/exercise/RecordingBranch.h"
 #include "ui/debrief/Branch.h"
 
 namespace sagara::replay {
@@ -57,7 +58,7 @@ private:
     run::RunFiling m_filing;
     db::NewRun m_run;
     mutable std::mutex m_mutex;  ///< of the next two: the thread of the run writes them
-    core::Bytes m_bytes;         ///< its recording
+    core::GrowingTrack m_track;  ///< since it branched
     std::string m_recordingTrouble;
     std::string m_filingTrouble;
     core::RecordingWriter m_writer;

@@ -47,4 +47,19 @@ Result<Bytes, std::string> recordingUpTo(std::span<const std::byte> recording, c
     return out;
 }
 
+void GrowingTrack::take(std::span<const std::byte> chunk) {
+    if (chunk.size() < ChunkHead::kSize_bytes) return;
+    const char kind = fromBytes<ChunkHead>(chunk.first(ChunkHead::kSize_bytes))->kind;
+    if (kind == kStateChunk) m_codec.restart();
+    if (kind != kSecondChunk) return;
+    const auto second = fromBytes<SecondChunk>(chunk.subspan(ChunkHead::kSize_bytes));
+    if (!second) return;
+    std::span<const std::byte> bytes(second->samples);
+    for (std::uint32_t i = 0; i < second->sampleCount; ++i) {
+        TrackSample sample;
+        if (!m_codec.decode(bytes, m_ships, m_targets, sample)) return;
+        m_track.push_back(std::move(sample));
+    }
+}
+
 }  // namespace sagara::core

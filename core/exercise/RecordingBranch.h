@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/exercise/Recording.h"
+#include "core/exercise/Track.h"
 
 namespace sagara::core {
 
@@ -13,5 +14,21 @@ namespace sagara::core {
 /// only read.
 Result<Bytes, std::string> recordingUpTo(std::span<const std::byte> recording, const RecordingHeader& header,
                                          std::int64_t tick);
+
+/// The kinematic track of a recording that is being written, from the chunks as the writer hands them on.
+/// Targets that are added in the run are left out.
+class GrowingTrack {
+public:
+    GrowingTrack(std::size_t ships, std::size_t targets) : m_ships(ships), m_targets(targets) {}
+    /// Whole chunks only; what is not one of a second or a state changes nothing.
+    void take(std::span<const std::byte> chunk);
+    const std::vector<TrackSample>& track() const { return m_track; }
+
+private:
+    std::size_t m_ships;
+    std::size_t m_targets;
+    TrackCodec m_codec;
+    std::vector<TrackSample> m_track;
+};
 
 }  // namespace sagara::core

@@ -135,7 +135,7 @@ void ChartOverlay::drawShip(QPainter& p) const {
     p.drawPolygon(outline);
     const QPointF at = m_chart.view().toScreen(m_ship->position);
     QRectF box(0, 0, fontMetrics().horizontalAdvance(m_ship->name) + 8, fontMetrics().height() + 2);
-    box.moveTopLeft(at + QPointF(12, 8));
+    box.moveBottomRight(at + QPointF(-10, -8));  // the chart's own names are to the right and below
     QColor back = c.surface;
     back.setAlpha(215);
     p.fillRect(box, back);

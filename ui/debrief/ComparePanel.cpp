@@ -26,6 +26,8 @@ ComparePanel::ComparePanel(QWidget* parent)
     layout->addWidget(m_legend);
     m_table->setObjectName(QStringLiteral("compare-table"));
     m_table->setHorizontalHeaderLabels({tr("From then on"), tr("Sailed"), tr("What if"), tr("Difference")});
+    for (int column = 1; column < 4; ++column)
+        m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_table->verticalHeader()->hide();
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -53,7 +53,7 @@ ComparisonRow taskRow(const QString& title, std::optional<double> a_s, std::opti
 }  // namespace
 
 RunFigures figuresOf(const core::World& world, const std::vector<core::TrackSample>& track,
-                     const std::vector<core::Event>& events, core::SimTime from) {
+                     const std::vector<core::Event>& events, core::SimTime from, core::SimTime until) {
     RunFigures f;
     f.leastUnderKeel_m = f.closestShore_m = 1e9;
     core::RouteProgress progress;
@@ -67,6 +67,7 @@ RunFigures figuresOf(const core::World& world, const std::vector<core::TrackSamp
         if (routed) core::follow(world.path, s.motion.position(), progress);
         if (core::timeOfTick(sample.tick) < from) continue;
         f.until_s = t;
+        if (core::timeOfTick(sample.tick) > until) continue;
         f.score = s.score;
         f.mostSpeed_mps = std::max(f.mostSpeed_mps, core::length(o.overGround_mps));
         if (o.underKeel_m < f.leastUnderKeel_m) f.leastUnderKeel_m = o.underKeel_m, f.leastUnderKeel_s = t;

@@ -11,7 +11,7 @@
 
 namespace sagara::ui {
 
-/// What one of two runs came to in the time they are compared.
+/// What one of two runs came to in the time both were sailed; its end and its tasks to its own end.
 struct RunFigures {
     double until_s = 0.0;
     double mostSpeed_mps = 0.0;
@@ -24,7 +24,7 @@ struct RunFigures {
     std::vector<std::optional<double>> tasks_s;  ///< when each was done
 };
 RunFigures figuresOf(const core::World& world, const std::vector<core::TrackSample>& track,
-                     const std::vector<core::Event>& events, core::SimTime from);
+                     const std::vector<core::Event>& events, core::SimTime from, core::SimTime until);
 
 /// How the two tracks lie to each other at the same times.
 struct TrackDifference {

@@ -215,7 +215,7 @@ void DebriefDesk::showEvent(QShowEvent* event) {
 /// Room by the size of the window, and by what is done: a table of two runs is wide.
 void DebriefDesk::layOut() {
     const bool comparing = m_mode == Mode::Comparing;
-    const int side = comparing ? std::clamp(width() / 3, 400, 620) : std::clamp(width() / 5, 280, 420);
+    const int side = comparing ? std::clamp(width() / 3, 400, 620) : std::clamp(width() / 5, 335, 420);
     const int views = comparing ? std::clamp(width() / 5, 240, 600) : std::clamp(width() / 3, 300, 760);
     m_across->setSizes({side, width() - side - views, views});
     if (std::exchange(m_plotsChosen, true)) return;

@@ -29,6 +29,7 @@ namespace sagara::ui {
 namespace {
 
 constexpr int kFrame_ms = 50, kBeat_ms = 100;
+constexpr int kLeftLeast_px = 335;  ///< the widest row of the instruments
 
 QScrollArea* scrolled(QWidget* inside) {
     auto* const area = new QScrollArea;
@@ -103,7 +104,7 @@ DebriefDesk::DebriefDesk(const DebriefPorts& ports, OpenedRecording opened, QWid
     }
     m_left->addWidget(tabs);
     m_left->addWidget(m_compare);
-    m_left->setMinimumWidth(280);
+    m_left->setMinimumWidth(kLeftLeast_px);
 
     m_across->addWidget(m_left);
     m_across->addWidget(chartPanel());

@@ -79,6 +79,10 @@ RecordingsPage::RecordingsPage(RecordingsPorts ports, QWidget* parent)
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(Scenario, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    for (const int column : {Score, Length})
+        m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_table->setStyleSheet(QStringLiteral("QTableWidget::item { padding: 0 8px; }"));
     m_table->verticalHeader()->hide();
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
@@ -119,6 +123,7 @@ RecordingsPage::RecordingsPage(RecordingsPorts ports, QWidget* parent)
 void RecordingsPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
     refresh();
+    m_table->isVisible() ? m_table->setFocus() : m_search->setFocus();
 }
 
 void RecordingsPage::refresh() {
@@ -150,7 +155,7 @@ void RecordingsPage::fill() {
             auto* const item = new QTableWidgetItem(texts[column]);
             if (column == Score || column == Length)
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            if (!entry.present) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+            if (!entry.present) item->setForeground(palette().color(QPalette::PlaceholderText));
             item->setToolTip(entry.file);
             m_table->setItem(row, column, item);
         }

@@ -100,12 +100,17 @@ void TransportBar::setColours(PaletteName name) {
 void TransportBar::setReplay(Replay& replay) {
     m_replay = &replay;
     m_replay->setRate(m_rate->currentData().toDouble());
-    m_sail->setEnabled(replay.exact());
-    m_sail->setToolTip(
-        replay.exact()
-            ? tr("What if: take the ship at this second and sail on; this recording stays as it is")
-            : tr("Only a run of this build of Sagara can be sailed on"));
+    setMaySail(true);
     refresh(false, false);
+}
+
+void TransportBar::setMaySail(bool may) {
+    const bool exact = m_replay->exact();
+    m_sail->setEnabled(exact && may);
+    m_sail->setToolTip(
+        !may    ? tr("A run is sailed from this recording already: end it first")
+        : exact ? tr("What if: take the ship at this second and sail on; this recording stays as it is")
+                : tr("Only a run of this build of Sagara can be sailed on"));
 }
 
 void TransportBar::refresh(bool sailing, bool exactShown) {

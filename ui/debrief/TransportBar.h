@@ -21,6 +21,7 @@ public:
 
     void setColours(PaletteName name);
     void setReplay(Replay& replay);
+    void setMaySail(bool may);  ///< one run at a time leaves the recording
     /// `sailing`: something else is sailed meanwhile.
     void refresh(bool sailing, bool exactShown);
 

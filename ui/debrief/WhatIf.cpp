@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QStackedWidget>
+#include <algorithm>
 #include <utility>
 
 #include "ui/debrief/ComparePanel.h"
@@ -69,6 +70,7 @@ void DebriefDesk::setMode(Mode mode) {
     QWidget* const panels[] = {m_left->widget(0), m_sail, m_compare};
     m_left->setCurrentWidget(panels[static_cast<int>(mode)]);
     m_transport->setEnabled(mode != Mode::Sailing);
+    m_transport->setMaySail(mode == Mode::Replay);
     m_timeline->setBranch(m_branch ? std::optional(m_branch->from()) : std::nullopt);
     m_beyond.reset();
     m_branchPlotted.invalidate();
@@ -132,12 +134,14 @@ void DebriefDesk::showComparison() {
     for (const core::Event& e : m_replay->events())
         if (e.time() <= from) events.push_back(e);
     for (const core::Event& e : m_branch->eventsFrom(0)) events.push_back(e);
-    const RunFigures sailed = figuresOf(world, m_replay->track(), m_replay->events(), from);
-    const RunFigures whatIf = figuresOf(world, m_branchTrack, events, from);
-    m_compare->show(
-        comparisonOf(world, sailed, whatIf, differenceOf(m_replay->track(), m_branchTrack)),
-        tr("What if, sailed from %1 to %2.").arg(elapsed(from), elapsed(m_branch->latest()->time())),
-        !m_branch->over());
+    const core::SimTime until = std::min(m_replay->end(), m_branch->latest()->time());
+    const RunFigures sailed = figuresOf(world, m_replay->track(), m_replay->events(), from, until);
+    const RunFigures whatIf = figuresOf(world, m_branchTrack, events, from, until);
+    m_compare->show(comparisonOf(world, sailed, whatIf, differenceOf(m_replay->track(), m_branchTrack)),
+                    tr("What if, sailed from %1. Figures are of the time both were sailed, until %2; times "
+                       "of tasks of all.")
+                        .arg(elapsed(from), elapsed(until)),
+                    !m_branch->over());
 }
 
 void DebriefDesk::sailOn() {

@@ -106,6 +106,9 @@ TEST_F(WhatIf, TheOriginalStaysAsItIsAndTheBranchReplaysAsARunOfItsOwn) {
     ASSERT_EQ(runs.size(), 1u);
     EXPECT_EQ(runs[0].start.type, db::RunType::Train);
     EXPECT_FALSE(runs[0].start.person.has_value());
+    const auto notes = NotesFile(recording).read();
+    ASSERT_EQ(notes.size(), 1u) << "it says where it comes from";
+    EXPECT_EQ(notes[0].time, core::timeOfTick(kFrom));
 }
 
 TEST_F(WhatIf, WithoutNewOrdersItSailsAsRecordedUntilTheNextCommand) {
@@ -113,7 +116,7 @@ TEST_F(WhatIf, WithoutNewOrdersItSailsAsRecordedUntilTheNextCommand) {
     sail(*run, 68.0);
     const auto track = run->track();
     ASSERT_GT(track.size(), 30u);
-    EXPECT_EQ(track.front().tick, kFrom);
+    EXPECT_EQ(track.front().tick, kFrom + core::kTrackEvery_ticks);
     for (const core::TrackSample& sample : track) {
         if (sample.tick > 69 * core::kTicksPerSecond) break;  // the recorded helm was taken at 70 s
         const auto& original = m_film->track[static_cast<std::size_t>(sample.tick / core::kTrackEvery_ticks)];

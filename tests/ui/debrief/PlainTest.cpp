@@ -95,15 +95,16 @@ TEST(PlotAxis, HoldsTheCurvesInRoundFigures) {
 TEST(Comparison, TellsWhatTheTwoRunsCameTo) {
     const auto world = test::lessonWorld();
     const auto sailed = straight(*world, 0, 40, 0.0), whatIf = straight(*world, 10, 30, 30.0);
-    const RunFigures a = figuresOf(*world, sailed, {}, seconds(10.0));
+    const RunFigures a = figuresOf(*world, sailed, {}, seconds(10.0), seconds(30.0));
     EXPECT_NEAR(*a.closestShips_m, 300.0, 1e-9);
     EXPECT_NEAR(*a.closestShips_s, 20.0, 1e-9);
-    EXPECT_NEAR(a.leastUnderKeel_m, 2.0, 1e-9);
-    EXPECT_NEAR(a.run_m, 150.0, 1e-9) << "from the second where they part";
+    EXPECT_NEAR(a.leastUnderKeel_m, 3.0, 1e-9) << "while both were sailed";
+    EXPECT_NEAR(a.until_s, 40.0, 1e-9);
+    EXPECT_NEAR(a.run_m, 100.0, 1e-9) << "from the second where they part";
     std::vector<core::Event> events(1);
     events[0].tick = 25 * core::kTicksPerSecond;
     events[0].kind = core::EventKind::TaskDone;
-    const RunFigures b = figuresOf(*world, whatIf, events, seconds(10.0));
+    const RunFigures b = figuresOf(*world, whatIf, events, seconds(10.0), seconds(30.0));
     const TrackDifference apart = differenceOf(sailed, whatIf);
     EXPECT_NEAR(apart.most_m, 30.0, 1e-9);
     EXPECT_NEAR(apart.atEnd_s, 30.0, 1e-9);
