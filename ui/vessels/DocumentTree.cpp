@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kPointer = Qt::UserRole;
 constexpr int kPath = Qt::UserRole + 1;
-constexpr int kAbout = Qt::UserRole + 2;  ///< what the last column says when nothing is wrong
+constexpr int kNumeric = Qt::UserRole + 3;  ///< it held a number when the document was set
+constexpr int kAbout = Qt::UserRole + 2;    ///< what the last column says when nothing is wrong
 
 /// Only values are edited.
 class ValueDelegate final : public QStyledItemDelegate {
@@ -39,13 +40,13 @@ QString textOf(const Json& value) {
 
 /// What was typed, as the kind of value that stood there; what does not fit stays text for the loader to
 /// refuse.
-Json valueOf(const QString& typed, const Json& before) {
+Json valueOf(const QString& typed, const Json& before, bool numeric) {
     const QString text = typed.trimmed();
     if (before.is_boolean()) {
         if (text == QLatin1String("true")) return true;
         if (text == QLatin1String("false")) return false;
     }
-    if (before.is_number() || !before.is_string()) {
+    if (numeric || before.is_number() || !before.is_string()) {
         bool ok = false;
         const double number = QString(text).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
         if (ok) return number;
@@ -148,6 +149,7 @@ void DocumentTree::fill(QTreeWidgetItem* parent, const std::string& key, const J
         }
         return;
     }
+    item->setData(0, kNumeric, value.is_number());
     item->setText(Value, textOf(value));
     item->setToolTip(Value, textOf(value));
     item->setTextAlignment(
@@ -158,7 +160,9 @@ void DocumentTree::fill(QTreeWidgetItem* parent, const std::string& key, const J
 void DocumentTree::take(QTreeWidgetItem* item) {
     const Json::json_pointer pointer(item->data(0, kPointer).toString().toStdString());
     Json& value = m_json->at(pointer);
-    const Json now = valueOf(item->text(Value), value);
+    // A number that was mistyped as words is a number again once it is mended.
+    const bool numeric = !item->text(Unit).isEmpty() || item->data(0, kNumeric).toBool();
+    const Json now = valueOf(item->text(Value), value, numeric);
     if (now == value) return;
     value = now;
     Q_EMIT edited();
