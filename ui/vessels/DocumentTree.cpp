@@ -9,6 +9,7 @@
 #include "core/base/Config.h"
 #include "ui/theme/ThemeColours.h"
 #include "ui/vessels/FieldNames.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -171,7 +172,6 @@ void DocumentTree::take(QTreeWidgetItem* item) {
 std::string DocumentTree::text() const { return m_json->dump(2) + "\n"; }
 
 void DocumentTree::setProblems(const core::config::Problems& problems) {
-    const ThemeColours& c = themeColours(m_colours);
     m_filling = true;
     for (QTreeWidgetItemIterator it(this); *it; ++it) {
         QTreeWidgetItem* const item = *it;
@@ -194,9 +194,9 @@ void DocumentTree::setProblems(const core::config::Problems& problems) {
                                             : QString::fromStdString(p.path.substr(path.size() + 1)) +
                                                   QLatin1Char(' ') + what);
         item->setToolTip(About, item->text(About));
-        for (const int column : {Name, Value, About}) item->setForeground(column, c.alarm);
+        for (const int column : {Name, Value, About}) item->setForeground(column, wrongWords(m_colours));
         for (QTreeWidgetItem* up = item->parent(); up != nullptr; up = up->parent())
-            up->setForeground(Name, c.alarm), up->setForeground(About, palette().text());
+            up->setForeground(Name, wrongWords(m_colours)), up->setForeground(About, palette().text());
     }
     m_filling = false;
 }

@@ -16,6 +16,7 @@
 #include "core/base/Units.h"
 #include "core/vessel/Vessel.h"
 #include "ui/theme/ThemeColours.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -161,7 +162,7 @@ void NewVesselDialog::addRow(QFormLayout* form, const char* field, const QString
     small.setPointSizeF(0.9 * small.pointSizeF());
     note->setFont(small);
     QPalette colours = note->palette();
-    colours.setColor(QPalette::WindowText, themeColours(m_colours).alarm);
+    colours.setColor(QPalette::WindowText, wrongWords(m_colours));
     note->setPalette(colours);
     note->hide();
     stack->addWidget(widget);

@@ -8,6 +8,7 @@
 #include "ui/chart/Format.h"
 #include "ui/report/Axis.h"
 #include "ui/theme/ThemeColours.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -142,7 +143,7 @@ void PlotView::draw(QPainter& painter) const {
     painter.save();
     painter.setClipRect(f.box.adjusted(-1, -1, 1, 1));
     for (const Plot::Limit& limit : m_plot.limits) {
-        painter.setPen(QPen(c.alarm, 1.4, Qt::DashLine));
+        painter.setPen(QPen(wrongWords(m_colours), 1.4, Qt::DashLine));
         if (limit.horizontal)
             painter.drawLine(QPointF(f.box.left(), f.y(limit.value)),
                              QPointF(f.box.right(), f.y(limit.value)));
@@ -179,13 +180,12 @@ void PlotView::draw(QPainter& painter) const {
         const double w = metrics.horizontalAdvance(limit.label) + 8, h = metrics.height();
         QRectF label = limit.horizontal ? QRectF(f.box.right() - w - 2, f.y(limit.value) - h - 1, w, h)
                                         : QRectF(f.x(limit.value) - w - 2, f.box.bottom() - h - 4, w, h);
-        if (limit.horizontal && (limit.value > 0.0) == (label.top() < f.box.top() + 1))
-            label.moveTop(f.y(limit.value) + 1);
+        if (limit.horizontal && label.top() < f.box.top()) label.moveTop(f.y(limit.value) + 1);
         if (label.left() < f.box.left()) label.moveLeft(f.x(limit.value) + 2);
         QColor paper = c.surface;
         paper.setAlphaF(0.85F);
         painter.fillRect(label, paper);
-        painter.setPen(c.alarm);
+        painter.setPen(wrongWords(m_colours));
         painter.drawText(label, Qt::AlignCenter, limit.label);
     }
     painter.setPen(QPen(c.border, 1.0));

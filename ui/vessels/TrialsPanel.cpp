@@ -17,6 +17,7 @@
 #include "core/base/Units.h"
 #include "ui/theme/ThemeColours.h"
 #include "ui/vessels/TrialPlots.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 
@@ -186,7 +187,7 @@ void TrialsPanel::showTrials() {
             check.value ? QStringLiteral("%1 %2").arg(*check.value, 0, 'f', 1).arg(unit) : tr("not reached"));
         put(2, QStringLiteral("%1 %2").arg(check.limit, 0, 'f', 1).arg(unit));
         QTableWidgetItem* const result = put(3, check.met() ? tr("✓ met") : tr("✗ not met"));
-        result->setForeground(check.met() ? c.text : c.alarm);
+        result->setForeground(check.met() ? c.text : wrongWords(m_colours));
         QFont bold = font();
         bold.setBold(!check.met());
         result->setFont(bold);

@@ -33,6 +33,7 @@
 #include "ui/vessels/TrialsPanel.h"
 #include "ui/vessels/VesselEditor.h"
 #include "ui/vessels/VesselFile.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -230,7 +231,7 @@ void VesselsPage::setColours(PaletteName name) {
     m_tree->setColours(name);
     m_trials->setColours(name);
     QPalette colours = m_message->palette();
-    colours.setColor(QPalette::WindowText, themeColours(name).alarm);
+    colours.setColor(QPalette::WindowText, wrongWords(name));
     m_message->setPalette(colours);
     fillList();
     m_facts->setRowCount(0);
