@@ -21,6 +21,7 @@ namespace sagara::report {
 namespace {
 
 constexpr int kDotsPerMillimetre = 100;
+constexpr double kApart_mm = 6.0;
 constexpr double kHalf_mm = 0.5 * page::kTextWidth_mm - 3.0;
 constexpr double kRightFrom_mm = 0.5 * page::kTextWidth_mm + 3.0;
 
@@ -53,16 +54,18 @@ std::vector<Sheet> cardSheets(const PilotCardData& card) {
     std::vector<Block> left, right, all;
     add(left, facts(tr("Ship's particulars"), card.particulars, 42.0));
     add(left, facts(tr("Anchors"), card.anchors, 42.0));
-    add(right, facts(tr("Steering"), card.steering, 42.0));
-    add(right, facts(tr("Propulsion"), card.propulsion, 42.0));
+    add(right, facts(tr("Steering"), card.steering, 50.0));
+    add(right, facts(tr("Propulsion"), card.propulsion, 50.0));
     all.push_back(paragraph(fromStd(card.ship), {15.0, colour::kInk, true}, page::kTextWidth_mm, 0.0, 2));
     all.push_back(paragraph(tr("%1 · card of %2 · for training on the simulator, not for navigation")
                                 .arg(fromStd(card.type), fromStd(card.date)),
                             {9.0, colour::kQuiet}, page::kTextWidth_mm, 1.0));
     all.push_back(sideBySide(std::move(left), std::move(right), kRightFrom_mm));
+    all.back().before_mm = kApart_mm;
     all.push_back(sideBySide(telegraphTable(card),
                              facts(tr("Turning, full ahead, rudder hard over"), card.turning, 50.0),
                              kRightFrom_mm));
+    all.back().before_mm = kApart_mm;
     Table table({{tr("Standard of MSC.137(76)"), 88.0},
                  {tr("Ship"), 26.0, Qt::AlignRight},
                  {tr("Limit"), 26.0, Qt::AlignRight},

@@ -90,8 +90,9 @@ void drawTurningCircles(QPainter& painter, const QRectF& area, const PilotCardDa
     drawHaloText(painter, poster.at({right, kAdvanceLimit_L * L}) + QPointF(-1.0, -1.0), Qt::AlignRight,
                  tr("IMO advance 4.5 L"), kLimitStyle);
     for (const double side : {-1.0, 1.0})
-        drawHaloText(painter, {poster.at({side * kDiameterLimit_L * L, 0.0}).x(), area.bottom() - 2.0},
-                     Qt::AlignHCenter, tr("tactical diameter 5 L"), kLimitStyle);
+        drawHaloText(painter,
+                     {poster.at({side * kDiameterLimit_L * L, 0.0}).x() - side * 1.0, area.bottom() - 2.0},
+                     side < 0.0 ? Qt::AlignLeft : Qt::AlignRight, tr("tactical diameter 5 L"), kLimitStyle);
     drawHaloText(painter, area.topLeft() + QPointF(2.0, 4.5), Qt::AlignLeft,
                  tr("grid: one length, %1 m").arg(L, 0, 'f', 1), kTickStyle);
     painter.setPen(linePen(colour::kRule, 0.2));

@@ -17,6 +17,7 @@
 
 #include "ui/theme/Theme.h"
 #include "ui/theme/ThemeColours.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -140,7 +141,7 @@ void DatabasePage::say(const QString& text, bool bad) {
     m_bad = bad;
     m_state->setText(text);
     QPalette colours = palette();
-    if (bad) colours.setColor(QPalette::WindowText, themeColours(m_colours).alarm);
+    if (bad) colours.setColor(QPalette::WindowText, wrongWords(m_colours));
     m_state->setPalette(colours);
 }
 

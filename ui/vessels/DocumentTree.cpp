@@ -9,6 +9,7 @@
 #include "core/base/Config.h"
 #include "ui/theme/ThemeColours.h"
 #include "ui/vessels/FieldNames.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -17,7 +18,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kPointer = Qt::UserRole;
 constexpr int kPath = Qt::UserRole + 1;
-constexpr int kAbout = Qt::UserRole + 2;  ///< what the last column says when nothing is wrong
+constexpr int kNumeric = Qt::UserRole + 3;  ///< it held a number when the document was set
+constexpr int kAbout = Qt::UserRole + 2;    ///< what the last column says when nothing is wrong
 
 /// Only values are edited.
 class ValueDelegate final : public QStyledItemDelegate {
@@ -39,13 +41,13 @@ QString textOf(const Json& value) {
 
 /// What was typed, as the kind of value that stood there; what does not fit stays text for the loader to
 /// refuse.
-Json valueOf(const QString& typed, const Json& before) {
+Json valueOf(const QString& typed, const Json& before, bool numeric) {
     const QString text = typed.trimmed();
     if (before.is_boolean()) {
         if (text == QLatin1String("true")) return true;
         if (text == QLatin1String("false")) return false;
     }
-    if (before.is_number() || !before.is_string()) {
+    if (numeric || before.is_number() || !before.is_string()) {
         bool ok = false;
         const double number = QString(text).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
         if (ok) return number;
@@ -148,6 +150,7 @@ void DocumentTree::fill(QTreeWidgetItem* parent, const std::string& key, const J
         }
         return;
     }
+    item->setData(0, kNumeric, value.is_number());
     item->setText(Value, textOf(value));
     item->setToolTip(Value, textOf(value));
     item->setTextAlignment(
@@ -158,7 +161,9 @@ void DocumentTree::fill(QTreeWidgetItem* parent, const std::string& key, const J
 void DocumentTree::take(QTreeWidgetItem* item) {
     const Json::json_pointer pointer(item->data(0, kPointer).toString().toStdString());
     Json& value = m_json->at(pointer);
-    const Json now = valueOf(item->text(Value), value);
+    // A number that was mistyped as words is a number again once it is mended.
+    const bool numeric = !item->text(Unit).isEmpty() || item->data(0, kNumeric).toBool();
+    const Json now = valueOf(item->text(Value), value, numeric);
     if (now == value) return;
     value = now;
     Q_EMIT edited();
@@ -167,7 +172,6 @@ void DocumentTree::take(QTreeWidgetItem* item) {
 std::string DocumentTree::text() const { return m_json->dump(2) + "\n"; }
 
 void DocumentTree::setProblems(const core::config::Problems& problems) {
-    const ThemeColours& c = themeColours(m_colours);
     m_filling = true;
     for (QTreeWidgetItemIterator it(this); *it; ++it) {
         QTreeWidgetItem* const item = *it;
@@ -190,9 +194,9 @@ void DocumentTree::setProblems(const core::config::Problems& problems) {
                                             : QString::fromStdString(p.path.substr(path.size() + 1)) +
                                                   QLatin1Char(' ') + what);
         item->setToolTip(About, item->text(About));
-        for (const int column : {Name, Value, About}) item->setForeground(column, c.alarm);
+        for (const int column : {Name, Value, About}) item->setForeground(column, wrongWords(m_colours));
         for (QTreeWidgetItem* up = item->parent(); up != nullptr; up = up->parent())
-            up->setForeground(Name, c.alarm), up->setForeground(About, palette().text());
+            up->setForeground(Name, wrongWords(m_colours)), up->setForeground(About, palette().text());
     }
     m_filling = false;
 }

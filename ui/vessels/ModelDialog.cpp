@@ -62,7 +62,7 @@ ModelDialog::ModelDialog(const std::string& text, std::filesystem::path ownModel
       m_timer(new QTimer(this)) {
     setWindowTitle(tr("3D model of the vessel"));
     setObjectName(QStringLiteral("modelDialog"));
-    resize(1120, 640);
+    resize(1180, 680);
     for (const char* axis : kAxes) {
         m_forward->addItem(QString::fromLatin1(axis));
         m_up->addItem(QString::fromLatin1(axis));
@@ -123,7 +123,8 @@ ModelDialog::ModelDialog(const std::string& text, std::filesystem::path ownModel
     scroll->setWidget(left);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setMinimumWidth(430);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(left->sizeHint().width() + 28);
     auto* const right = new QVBoxLayout;
     right->addWidget(m_view, 1);
     right->addWidget(m_night);
@@ -187,8 +188,7 @@ QDoubleSpinBox* ModelDialog::metres(double low, double high, const QString& tip)
 QWidget* ModelDialog::lightTable() {
     auto* const box = new QGroupBox(tr("Navigation lights, metres of the model"), this);
     auto* const grid = new QGridLayout(box);
-    const QString heads[] = {tr("Light"), tr("Forward of midship"), tr("To starboard"),
-                             tr("Above waterline")};
+    const QString heads[] = {tr("Light"), tr("Forward of midship"), tr("To starboard"), tr("Height")};
     for (int i = 0; i < 4; ++i) grid->addWidget(new QLabel(heads[i], box), 0, i);
     const std::array<QString, core::kLightPlaces> names{
         tr("Masthead forward"), tr("Masthead aft"), tr("Port side"), tr("Starboard side"), tr("Stern"),

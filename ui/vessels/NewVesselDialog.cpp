@@ -16,6 +16,7 @@
 #include "core/base/Units.h"
 #include "core/vessel/Vessel.h"
 #include "ui/theme/ThemeColours.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -105,7 +106,8 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     auto* const box = new QGroupBox(tr("What comes of it"), this);
     auto* const inside = new QVBoxLayout(box);
     m_summary->setWordWrap(true);
-    m_summary->setMinimumHeight(64);
+    m_summary->setMinimumHeight(72);
+    m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_summary->setObjectName(QStringLiteral("summary"));
     inside->addWidget(m_summary);
     auto* const cancel = new QPushButton(tr("Cancel"), this);
@@ -119,7 +121,8 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     buttons->addWidget(m_ok);
     auto* const layout = new QVBoxLayout(this);
     layout->addLayout(columns);
-    layout->addWidget(box, 1);
+    layout->addWidget(box);
+    layout->addStretch(1);
     layout->addLayout(buttons);
     resize(860, 540);
 
@@ -159,7 +162,7 @@ void NewVesselDialog::addRow(QFormLayout* form, const char* field, const QString
     small.setPointSizeF(0.9 * small.pointSizeF());
     note->setFont(small);
     QPalette colours = note->palette();
-    colours.setColor(QPalette::WindowText, themeColours(m_colours).alarm);
+    colours.setColor(QPalette::WindowText, wrongWords(m_colours));
     note->setPalette(colours);
     note->hide();
     stack->addWidget(widget);
@@ -240,11 +243,11 @@ QString NewVesselDialog::summary() const {
     const auto vessel = core::loadVessel("new", m_text);
     if (!vessel) return {};
     const core::Vessel& v = *vessel;
-    return tr("%1 t, block coefficient %2. GM %3 m. %n propeller(s)", nullptr,
-              static_cast<int>(v.propulsion.units.size()))
+    return tr("%1 t, block coefficient %2. GM %3 m. Propellers: %4")
                .arg(v.hull.mass_kg() / 1000.0, 0, 'f', 0)
                .arg(v.hull.blockCoefficient(), 0, 'f', 3)
-               .arg(v.hull.metacentricHeight_m, 0, 'f', 2) +
+               .arg(v.hull.metacentricHeight_m, 0, 'f', 2)
+               .arg(v.propulsion.units.size()) +
            tr(" of %1 m, %2 rpm at full ahead. Rudder area %3 m². Depth %4 m, side wind area %5 m². ")
                .arg(v.propulsion.units[0].diameter_m, 0, 'f', 2)
                .arg(v.propulsion.telegraph_rps.back() / core::kRpm_rps, 0, 'f', 0)

@@ -8,6 +8,7 @@
 #include "ui/chart/Format.h"
 #include "ui/report/Axis.h"
 #include "ui/theme/ThemeColours.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -25,6 +26,16 @@ struct Frame {
     }
     QPointF at(QPointF p) const { return {x(p.x()), y(p.y())}; }
 };
+
+/// From the least to the greatest value with a little room; ticks where people expect them.
+report::Axis rangeOf(const std::vector<double>& values, int ticks) {
+    report::Axis axis = report::axisFor(values, {.tickCount = ticks, .steps = {}});
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double room = 0.06 * std::max(1e-9, *high - *low);
+    axis.low = *low == 0.0 ? 0.0 : *low - room;
+    axis.high = *high + room;
+    return axis;
+}
 
 /// Widens the axis that has room until a metre is as long in both.
 void equalise(report::Axis& a, double pixelsA, report::Axis& b, double pixelsB) {
@@ -80,7 +91,8 @@ void PlotView::draw(QPainter& painter) const {
     bold.setBold(true);
     painter.setPen(c.text);
     painter.setFont(bold);
-    painter.drawText(QRectF(10, 4, width() - 20, 20), Qt::AlignLeft | Qt::AlignVCenter, m_plot.title);
+    painter.drawText(QRectF(10, 4, width() - 12, 20), Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetricsF(bold).elidedText(m_plot.title, Qt::ElideRight, width() - 14));
     painter.setFont(text);
     const QFontMetricsF metrics(text);
 
@@ -100,10 +112,8 @@ void PlotView::draw(QPainter& painter) const {
     // Legend above the frame, axis words outside of it.
     Frame f;
     f.box = QRectF(52, 46, width() - 66, height() - 46 - 38);
-    const int ticksAcross = std::clamp(static_cast<int>(f.box.width() / 70.0), 2, 8),
-              ticksUp = std::clamp(static_cast<int>(f.box.height() / 42.0), 2, 8);
-    f.across = report::axisFor(xs, {.tickCount = ticksAcross, .steps = {}});
-    f.up = report::axisFor(ys, {.tickCount = ticksUp, .steps = {}});
+    f.across = rangeOf(xs, std::clamp(static_cast<int>(f.box.width() / 55.0), 3, 9));
+    f.up = rangeOf(ys, std::clamp(static_cast<int>(f.box.height() / 24.0), 3, 9));
     if (m_plot.equalScale) equalise(f.across, f.box.width(), f.up, f.box.height());
 
     painter.setClipping(false);
@@ -133,7 +143,7 @@ void PlotView::draw(QPainter& painter) const {
     painter.save();
     painter.setClipRect(f.box.adjusted(-1, -1, 1, 1));
     for (const Plot::Limit& limit : m_plot.limits) {
-        painter.setPen(QPen(c.alarm, 1.4, Qt::DashLine));
+        painter.setPen(QPen(wrongWords(m_colours), 1.4, Qt::DashLine));
         if (limit.horizontal)
             painter.drawLine(QPointF(f.box.left(), f.y(limit.value)),
                              QPointF(f.box.right(), f.y(limit.value)));
@@ -141,7 +151,7 @@ void PlotView::draw(QPainter& painter) const {
             painter.drawLine(QPointF(f.x(limit.value), f.box.top()),
                              QPointF(f.x(limit.value), f.box.bottom()));
     }
-    double legend_px = f.box.left();
+    double legend_px = 12.0;
     for (const Plot::Series& s : m_plot.series) {
         QPainterPath path;
         for (const QPointF p : s.points) {
@@ -170,11 +180,12 @@ void PlotView::draw(QPainter& painter) const {
         const double w = metrics.horizontalAdvance(limit.label) + 8, h = metrics.height();
         QRectF label = limit.horizontal ? QRectF(f.box.right() - w - 2, f.y(limit.value) - h - 1, w, h)
                                         : QRectF(f.x(limit.value) - w - 2, f.box.bottom() - h - 4, w, h);
-        if (limit.horizontal && limit.value < 0.0) label.moveTop(f.y(limit.value) + 1);
+        if (limit.horizontal && label.top() < f.box.top()) label.moveTop(f.y(limit.value) + 1);
+        if (label.left() < f.box.left()) label.moveLeft(f.x(limit.value) + 2);
         QColor paper = c.surface;
         paper.setAlphaF(0.85F);
         painter.fillRect(label, paper);
-        painter.setPen(c.alarm);
+        painter.setPen(wrongWords(m_colours));
         painter.drawText(label, Qt::AlignCenter, limit.label);
     }
     painter.setPen(QPen(c.border, 1.0));

@@ -17,7 +17,7 @@ std::vector<core::HullStation> sectionsOf(const core::Hull& hull) {
     const double waterPower = hull.waterplaneCoefficient / (1.0 - std::min(0.97, hull.waterplaneCoefficient));
     const double areaPower = prismatic / (1.0 - prismatic);
     std::vector<core::HullStation> sections;
-    constexpr int kCount = 20;
+    constexpr int kCount = 40;
     for (int i = 0; i <= kCount; ++i) {
         const double s = 2.0 * i / kCount - 1.0;
         core::HullStation station;
@@ -72,9 +72,8 @@ void SectionsView::paintEvent(QPaintEvent*) {
     painter.setFont(small);
     painter.setPen(c.quietText);
     painter.drawText(QRectF(10, 4, width() - 20, 20), Qt::AlignRight | Qt::AlignVCenter,
-                     hull.stations.empty()
-                         ? tr("from the form: no stations in the document")
-                         : tr("%n stations", nullptr, static_cast<int>(hull.stations.size())));
+                     hull.stations.empty() ? tr("from the form: no stations in the document")
+                                           : tr("%1 stations").arg(hull.stations.size()));
 
     // Body plan above, waterplane and profile below it.
     const QRectF plan(14, 30, width() - 28, 0.56 * (height() - 46)),

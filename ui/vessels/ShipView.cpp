@@ -91,11 +91,11 @@ void ShipView::draw() {
     m_time_s += dt_s;
     m_moment.time = core::SimTime{static_cast<std::int64_t>(1e6 * m_time_s)};
     const core::Hull& hull = m_world->ships[0]->vessel.hull;
-    // Far enough for her length to fill three quarters of the picture when seen abeam.
-    const double off_m = 0.72 * hull.lengthOverall_m / std::tan(0.5 * kViewportFov_rad) + hull.beam_m;
+    // Far enough for her length to fill most of the picture when seen abeam.
+    const double off_m = 0.56 * hull.lengthOverall_m / std::tan(0.5 * kViewportFov_rad) + hull.beam_m;
     CameraRig& rig = m_view->rig();
     rig.shore = off_m * core::unitVector(m_angle_rad);
-    rig.shoreUp_m = 0.16 * off_m + 2.0;
+    rig.shoreUp_m = 0.2 * off_m + 2.0;
     m_view->refresh();
     m_view->aim(*m_world, m_moment);
     m_stage->drawSoon(m_moment);

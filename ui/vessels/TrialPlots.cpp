@@ -25,7 +25,7 @@ QPointF rudderAt(const core::TrialSample& s) { return {s.time_s, s.rudder_rad / 
 
 Plot turningPlot(const core::StandardTrials& trials) {
     Plot plot;
-    plot.title = tr("Turning circles, full ahead, rudder hard over");
+    plot.title = tr("Turning circles");
     plot.xLabel = tr("Transfer, ship lengths");
     plot.yLabel = tr("Advance, ship lengths");
     plot.equalScale = plot.xUp = true;
@@ -36,7 +36,7 @@ Plot turningPlot(const core::StandardTrials& trials) {
     plot.series = {{tr("starboard"), 0, false, against(trials.turnStarboard, place)},
                    {tr("port"), 1, false, against(trials.turnPort, place)}};
     const core::ImoLimits limits;
-    plot.limits = {{true, limits.advance_L, tr("IMO advance 4.5 L")},
+    plot.limits = {{true, limits.advance_L, tr("advance 4.5 L")},
                    {false, limits.tacticalDiameter_L, tr("5 L")},
                    {false, -limits.tacticalDiameter_L, tr("5 L")}};
     return plot;
@@ -44,9 +44,9 @@ Plot turningPlot(const core::StandardTrials& trials) {
 
 Plot turningTimePlot(const core::Trial& trial) {
     Plot plot;
-    plot.title = tr("Turn to starboard: heading, rudder and speed");
+    plot.title = tr("Turn to starboard");
     plot.xLabel = tr("Time, s");
-    plot.yLabel = tr("°, and % of approach speed");
+    plot.yLabel = tr("° and %");
     plot.empty = tr("Heading, rudder and speed in the turn.");
     if (trial.samples.empty()) return plot;
     const double U = trial.approach_mps;
@@ -64,23 +64,23 @@ Plot turningTimePlot(const core::Trial& trial) {
 
 Plot zigzagPlot(const core::Trial& trial, double first_deg, double second_deg, double switch_deg) {
     Plot plot;
-    plot.title = tr("Zigzag %1/%1: heading and rudder").arg(switch_deg);
+    plot.title = tr("Zigzag %1/%1").arg(switch_deg);
     plot.xLabel = tr("Time, s");
-    plot.yLabel = tr("°, to starboard positive");
+    plot.yLabel = tr("°, starboard +");
     plot.empty = tr("Heading and rudder of the zigzag.");
     if (trial.samples.empty()) return plot;
     plot.series = {{tr("heading °"), 0, false, against(trial, headingAt)},
                    {tr("rudder °"), 1, true, against(trial, rudderAt)}};
-    plot.limits = {{true, switch_deg + first_deg, tr("IMO 1st overshoot %1°").arg(first_deg, 0, 'f', 1)}};
+    plot.limits = {{true, switch_deg + first_deg, tr("1st overshoot %1°").arg(first_deg, 0, 'f', 1)}};
     if (second_deg > 0.0)
         plot.limits.push_back(
-            {true, -switch_deg - second_deg, tr("IMO 2nd overshoot %1°").arg(second_deg, 0, 'f', 1)});
+            {true, -switch_deg - second_deg, tr("2nd overshoot %1°").arg(second_deg, 0, 'f', 1)});
     return plot;
 }
 
 Plot stoppingPlot(const core::Trial& trial) {
     Plot plot;
-    plot.title = tr("Stopping, full ahead to full astern");
+    plot.title = tr("Stopping, full astern");
     plot.xLabel = tr("Head reach, ship lengths");
     plot.yLabel = tr("Speed, kn");
     plot.empty = tr("Speed against distance of the crash stop.");
@@ -89,7 +89,7 @@ Plot stoppingPlot(const core::Trial& trial) {
     plot.series = {{tr("speed"), 0, false, against(trial, [L](const core::TrialSample& s) {
                         return QPointF(s.x_m / L, s.surge_mps / core::kKnot_mps);
                     })}};
-    plot.limits = {{false, core::ImoLimits().trackReach_L, tr("IMO track reach 15 L")}};
+    plot.limits = {{false, core::ImoLimits().trackReach_L, tr("15 L")}};
     return plot;
 }
 

@@ -17,6 +17,7 @@
 #include "core/base/Units.h"
 #include "ui/theme/ThemeColours.h"
 #include "ui/vessels/TrialPlots.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 
@@ -48,20 +49,23 @@ TrialsPanel::TrialsPanel(QWidget* parent)
     m_checks->setObjectName(QStringLiteral("imoChecks"));
     m_checks->setHorizontalHeaderLabels({tr("IMO MSC.137(76)"), tr("Ship"), tr("Limit"), tr("Result")});
     m_checks->verticalHeader()->hide();
+    m_checks->verticalHeader()->setDefaultSectionSize(26);
     m_checks->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_checks->setSelectionMode(QAbstractItemView::NoSelection);
     m_checks->setShowGrid(false);
     m_checks->setAlternatingRowColors(true);
     m_checks->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_checks->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_checks->setMinimumWidth(380);
+    m_checks->setMinimumWidth(330);
     m_note->setWordWrap(true);
+    m_checks->setWordWrap(false);
     m_note->setObjectName(QStringLiteral("trialsNote"));
 
     auto* const buttons = new QHBoxLayout;
     buttons->addWidget(m_run);
     buttons->addWidget(m_cancel);
     buttons->addWidget(m_bar, 1);
+    buttons->addStretch(1);
     buttons->addWidget(m_csv);
     auto* const left = new QVBoxLayout;
     left->addWidget(m_checks, 1);
@@ -75,8 +79,8 @@ TrialsPanel::TrialsPanel(QWidget* parent)
     plots->addWidget(m_zigzag20, 2, 1);
     for (int i = 0; i < 3; ++i) plots->setRowStretch(i, 1);
     auto* const both = new QHBoxLayout;
-    both->addLayout(left, 2);
-    both->addLayout(plots, 5);
+    both->addLayout(left, 4);
+    both->addLayout(plots, 9);
     auto* const layout = new QVBoxLayout(this);
     layout->addLayout(buttons);
     layout->addLayout(both, 1);
@@ -183,7 +187,7 @@ void TrialsPanel::showTrials() {
             check.value ? QStringLiteral("%1 %2").arg(*check.value, 0, 'f', 1).arg(unit) : tr("not reached"));
         put(2, QStringLiteral("%1 %2").arg(check.limit, 0, 'f', 1).arg(unit));
         QTableWidgetItem* const result = put(3, check.met() ? tr("✓ met") : tr("✗ not met"));
-        result->setForeground(check.met() ? c.text : c.alarm);
+        result->setForeground(check.met() ? c.text : wrongWords(m_colours));
         QFont bold = font();
         bold.setBold(!check.met());
         result->setFont(bold);

@@ -163,7 +163,8 @@ void VesselEditor::check() {
     m_problems->setVisible(m_problemCount > 0);
     const bool changed = m_history[m_at] != m_history.front();
     m_state->setText(m_problemCount > 0
-                         ? tr("%n problem(s): mend them to save", nullptr, static_cast<int>(m_problemCount))
+                         ? (m_problemCount == 1 ? tr("One problem: mend it to save")
+                                                : tr("%1 problems: mend them to save").arg(m_problemCount))
                      : changed ? tr("Changed. Nothing is wrong.")
                                : tr("Not changed."));
     m_ok->setEnabled(m_problemCount == 0 && changed);

@@ -33,6 +33,7 @@
 #include "ui/vessels/TrialsPanel.h"
 #include "ui/vessels/VesselEditor.h"
 #include "ui/vessels/VesselFile.h"
+#include "ui/vessels/WrongWords.h"
 
 namespace sagara::ui {
 namespace {
@@ -42,7 +43,7 @@ QString q(const std::string& text) { return QString::fromStdString(text); }
 QString iconOf(const std::string& type) {
     const auto has = [&](const char* word) { return type.find(word) != std::string::npos; };
     if (has("tanker")) return QStringLiteral("ship-tanker");
-    if (has("bulk")) return QStringLiteral("ship-bulkcarrier");
+    if (has("bulk") || has("cargo")) return QStringLiteral("ship-bulkcarrier");
     if (has("container")) return QStringLiteral("ship-container");
     if (has("fish")) return QStringLiteral("ship-fishing");
     if (has("ferry") || has("passenger")) return QStringLiteral("ship-passenger");
@@ -194,6 +195,8 @@ QWidget* VesselsPage::detailSide() {
     m_facts->setSelectionMode(QAbstractItemView::NoSelection);
     m_facts->setAlternatingRowColors(true);
     m_facts->setShowGrid(false);
+    m_facts->setWordWrap(false);
+    m_facts->verticalHeader()->setDefaultSectionSize(25);
     m_facts->setMinimumWidth(300);
     m_view = new ShipView(m_stageFor, side);
     m_sections = new SectionsView(side);
@@ -228,9 +231,11 @@ void VesselsPage::setColours(PaletteName name) {
     m_tree->setColours(name);
     m_trials->setColours(name);
     QPalette colours = m_message->palette();
-    colours.setColor(QPalette::WindowText, themeColours(name).alarm);
+    colours.setColor(QPalette::WindowText, wrongWords(name));
     m_message->setPalette(colours);
     fillList();
+    m_facts->setRowCount(0);
+    if (m_vessel) showFacts(*m_vessel);
 }
 
 bool VesselsPage::mayLeave() {
@@ -302,6 +307,7 @@ void VesselsPage::showChosen() {
     m_subtitle->setText(!trouble.isEmpty() ? trouble
                         : m_vessel         ? QString()
                                            : tr("Choose a vessel on the left, or make a new one."));
+    m_subtitle->setVisible(!m_subtitle->text().isEmpty());
     m_facts->setRowCount(0);
     if (m_vessel) showFacts(*m_vessel);
     m_sections->setHull(m_vessel ? std::optional(m_vessel->hull) : std::nullopt);

@@ -18,8 +18,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/base/Units.h"
 #include "FakeLibrary.h"
+#include "core/base/Units.h"
 #include "ui/theme/Theme.h"
 #include "ui/vessels/DocumentTree.h"
 #include "ui/vessels/ModelDialog.h"
@@ -244,27 +244,28 @@ TEST_F(Vessels, AreExportedAndImportedAsOneFileWithTheirModel) {
         "3 4\n");
     put("boat.mtl", "newmtl m\nKd 0.8 0.2 0.2\n");
     put("other.png", "not named");
-    ModelDialog dialog(
+    auto dialog = std::make_unique<ModelDialog>(
         library.text("patrol51"), library.ownModels(), PaletteName::Day,
         [this](const std::shared_ptr<const core::World>& world) { return stageFor(world); },
         [this](const std::string& text) { return library.save("patrol51", "51.5 m patrol vessel", text); },
         page.get());
-    ASSERT_FALSE(dialog.takeFile(source / "boat.obj"));
-    find<QComboBox>("up", &dialog)->setCurrentText(QStringLiteral("+z"));
-    auto* const save = find<QPushButton>("save", &dialog);
+    ASSERT_FALSE(dialog->takeFile(source / "boat.obj"));
+    find<QComboBox>("up", dialog.get())->setCurrentText(QStringLiteral("+z"));
+    auto* const save = find<QPushButton>("save", dialog.get());
     QTest::qWait(500);
     EXPECT_FALSE(save->isEnabled());  // licence and source are missing
-    find<QLineEdit>("licence", &dialog)->setText(QStringLiteral("our own"));
-    find<QLineEdit>("source", &dialog)->setText(QStringLiteral("a test"));
+    find<QLineEdit>("licence", dialog.get())->setText(QStringLiteral("our own"));
+    find<QLineEdit>("source", dialog.get())->setText(QStringLiteral("a test"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return save->isEnabled(); }, 3000));
     if (std::getenv("SAGARA_UI_PICTURES")) {
-        dialog.show();
-        keep(&dialog, QStringLiteral("vessels-model"));
+        dialog->show();
+        keep(dialog.get(), QStringLiteral("vessels-model"));
     }
-    dialog.accept();
+    dialog->accept();
     EXPECT_TRUE(std::filesystem::exists(library.ownModels() / "attached/patrol51/boat.mtl"));
     EXPECT_FALSE(std::filesystem::exists(library.ownModels() / "attached/patrol51/other.png"));
 
+    dialog.reset();
     open();
     ASSERT_TRUE(page->choose("patrol51"));
     const auto file = library.folder / "patrol.json";
