@@ -62,7 +62,8 @@ core::Result<ui::Page*, std::string> openDemo(Frame& frame, DemoOptions options)
     ui::DemoPorts ports;
     auto lessons = std::make_unique<DemoLessons>(std::move(worlds), options.level);
     if (!options.wallLayout.empty())
-        ports.wall = std::make_unique<DemoStationWall>(lessons->demoRun(), options.wallLayout, options.wallPlacement);
+        ports.wall =
+            std::make_unique<DemoStationWall>(lessons->demoRun(), options.wallLayout, options.wallPlacement);
     ports.exercises = std::move(lessons);
     ports.stageFor = [&frame](const std::shared_ptr<const core::World>& world) {
         return frame.stageFor(world);

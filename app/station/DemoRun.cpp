@@ -16,8 +16,8 @@ bool startsUnderWay(const core::State& first) {
 }  // namespace
 
 void DemoRun::put(std::shared_ptr<const core::World> world, core::State first) {
-    auto next = std::make_shared<live::LiveRun>(
-        world, std::move(first), std::vector<core::Command>{{0, 0, core::PilotOrder{true}}});
+    auto next = std::make_shared<live::LiveRun>(world, std::move(first),
+                                                std::vector<core::Command>{{0, 0, core::PilotOrder{true}}});
     {
         const std::lock_guard lock(m_mutex);
         m_world.swap(world);

@@ -43,7 +43,8 @@ std::vector<ui::PractiseAssignment> assignmentsOf(run::Store& store, const std::
     const auto known = db::PersonRepository(*store.database()).findByName(person);
     if (!known) return given;
     const core::Utc now = run::now();
-    for (const db::AssignmentRecord& record : db::AssignmentRepository(*store.database()).openFor(known->id)) {
+    for (const db::AssignmentRecord& record :
+         db::AssignmentRepository(*store.database()).openFor(known->id)) {
         const QDate due = QDateTime::fromSecsSinceEpoch(record.what.due.unix_s).date();
         given.push_back({record.what.scenarioKey, QString::fromStdString(record.what.scenarioName),
                          QLocale().toString(due, QLocale::ShortFormat), record.what.due.unix_s < now.unix_s,
@@ -76,7 +77,8 @@ ui::PractisePorts portsOf(Frame& frame) {
     ports.find = [&store](DocumentKind kind, const std::string& id) {
         return orNothing([&] { return store.find(kind, id); });
     };
-    ports.documents = [&store](core::NamedText scenario) -> core::Result<core::ExerciseDocuments, std::string> {
+    ports.documents =
+        [&store](core::NamedText scenario) -> core::Result<core::ExerciseDocuments, std::string> {
         try {
             auto documents = core::collectDocuments(std::move(scenario), store);
             if (!documents) return documents.error().text();
@@ -88,7 +90,9 @@ ui::PractisePorts portsOf(Frame& frame) {
     ports.assignments = [&store](const std::string& person) {
         return orNothing([&] { return assignmentsOf(store, person); });
     };
-    ports.history = [&store](const std::string& person) { return orNothing([&] { return pastRuns(store, person); }); };
+    ports.history = [&store](const std::string& person) {
+        return orNothing([&] { return pastRuns(store, person); });
+    };
     return ports;
 }
 
@@ -100,7 +104,9 @@ ui::Page* practisePage(Frame& frame, PractiseWays ways) {
     ports.sail = [voyage](std::shared_ptr<const core::World> world, const ui::PractiseChoice& choice) {
         return voyage->sail(std::move(world), choice);
     };
-    ports.replay = [voyage](const std::string& recording, double time_s) { return voyage->replay(recording, time_s); };
+    ports.replay = [voyage](const std::string& recording, double time_s) {
+        return voyage->replay(recording, time_s);
+    };
     auto* const page = new ui::PractisePage(std::move(ports));
     voyage->setParent(page);
     return page;

@@ -21,7 +21,8 @@ public:
     PractiseVoyage(Frame& frame, PractiseWays ways, QObject* parent);
 
     /// The error is for the person who chose.
-    std::optional<std::string> sail(std::shared_ptr<const core::World> world, const ui::PractiseChoice& choice);
+    std::optional<std::string> sail(std::shared_ptr<const core::World> world,
+                                    const ui::PractiseChoice& choice);
     std::optional<std::string> replay(const std::filesystem::path& recording, double time_s);
     StationRun* run() const { return m_run.get(); }
 

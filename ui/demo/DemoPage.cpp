@@ -284,7 +284,7 @@ void DemoPage::caption() {
     shown.invites = m_director.phase() == DemoDirector::Phase::Attract;
     if (m_director.phase() == DemoDirector::Phase::Helm) {
         const QString next = m_hints.waypoint
-                                 ? tr("Steer %1° to %2, %3")
+                                 ? tr("Steer %1° to “%2”, %3")
                                        .arg(chart::bearing(m_hints.waypoint->bearing_rad / core::kDegree_rad),
                                             QString::fromStdString(m_hints.waypoint->name),
                                             demoDistance(m_hints.waypoint->distance_m))
