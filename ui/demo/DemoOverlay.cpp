@@ -178,7 +178,8 @@ void DemoOverlay::paintGuide(QPainter& painter) const {
         painter.setPen(colour);
         painter.drawText(
             QRectF(frame.left() + 3.0 * u, frame.top() + top * u, frame.width() - 6.0 * u, high * u),
-            align | Qt::AlignVCenter, text);
+            align | Qt::AlignVCenter,
+            QFontMetricsF(f).elidedText(text, Qt::ElideRight, frame.width() - 6.0 * u));
     };
     const ThemeColours& c = colours();
     line(1.5, 7.0, tr("You have the helm"), font(4.6, true), c.text, Qt::AlignLeft);
