@@ -13,9 +13,18 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
+/// A file of an older version is kept beside the raised one, for whoever must go back to the older program.
+void keepOlder(Connection& connection) {
+    const int version = schemaVersion(connection);
+    if (version == kSchemaVersion) return;
+    const std::filesystem::path copy = olderCopy(connection.file(), version);
+    if (!std::filesystem::exists(copy)) backup(connection, copy, Database::Existing::Refuse);
+}
+
 void configure(Connection& connection) {
     execute(connection, u"PRAGMA journal_mode = WAL"_s);  // a restored backup is not
     execute(connection, u"PRAGMA synchronous = NORMAL"_s);
+    keepOlder(connection);
     migrate(connection, migrations());
     execute(connection, u"PRAGMA foreign_keys = ON"_s);
 }
@@ -74,6 +83,11 @@ void addWrongRows(Connection& connection, std::vector<std::string>& problems) {
 }
 
 }  // namespace
+
+std::filesystem::path olderCopy(const std::filesystem::path& file, int version) {
+    return file.parent_path() /
+           (file.stem().string() + "-version-" + std::to_string(version) + file.extension().string());
+}
 
 Database::Database(const std::filesystem::path& file, std::chrono::milliseconds busyTimeout)
     : m_connection(openFile(std::filesystem::absolute(file).lexically_normal(), busyTimeout)) {}

@@ -27,6 +27,9 @@ struct DatabaseInfo {
     std::vector<TableCount> counts;  ///< every table, by name
 };
 
+/// "sagara-version-1.db" beside "sagara.db".
+std::filesystem::path olderCopy(const std::filesystem::path& file, int version);
+
 /// The one SQLite file of this installation, open and of the current schema version. Every function may throw
 /// DbError. Used by the thread that made it (asserted); another thread or process opens a Database of its
 /// own. A QCoreApplication must exist. Not a place for SQL: that is in the repositories.
@@ -34,8 +37,9 @@ class Database {
 public:
     enum class Existing { Refuse, Overwrite };
 
-    /// Makes folder and file when missing and raises an older file to the current schema. A file that is
-    /// damaged, foreign or newer is refused and left as it is.
+    /// Makes folder and file when missing and raises an older file to the current schema; a checked copy of
+    /// the older one stays beside it (`olderCopy`). A file that is damaged, foreign or newer is refused and
+    /// left as it is.
     explicit Database(const std::filesystem::path& file,
                       std::chrono::milliseconds busyTimeout = kBusyTimeout);
     ~Database();

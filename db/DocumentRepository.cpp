@@ -73,6 +73,16 @@ std::vector<DocumentEntry> DocumentRepository::inUse() const {
     return entries;
 }
 
+std::vector<DocumentEntry> DocumentRepository::all() const {
+    Query row(
+        m_db.connection(),
+        u"SELECT key, name, content_hash, origin, retired, changed_utc FROM %1 ORDER BY name, key"_s.arg(
+            nameOf(m_table)));
+    std::vector<DocumentEntry> entries;
+    while (row.next()) entries.push_back(readEntry(row));
+    return entries;
+}
+
 std::optional<DocumentVersion> DocumentRepository::findByHash(std::uint64_t contentHash) const {
     const std::string hash = core::toHex(contentHash);
     Query row(m_db.connection(),

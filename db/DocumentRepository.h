@@ -56,6 +56,7 @@ public:
     std::optional<Document> find(std::string_view key) const;  ///< retired ones too
     std::optional<DocumentEntry> entry(std::string_view key) const;
     std::vector<DocumentEntry> inUse() const;  ///< by name
+    std::vector<DocumentEntry> all() const;    ///< by name, retired ones too
     std::optional<DocumentVersion> findByHash(std::uint64_t contentHash) const;
 
     /// Inserts, or replaces what has this key and keeps the old text. False when all was so already. A

@@ -128,7 +128,11 @@ RunSummary summarise(const core::World& world, const core::Mission& mission,
     return s;
 }
 
-std::string tasksJson(const RunSummary& summary) { return taskArray(summary).dump(); }
+std::string tasksJson(const RunSummary& summary) {
+    Json array = taskArray(summary);
+    for (std::size_t i = 0; i < summary.tasks.size(); ++i) array[i]["title"] = summary.tasks[i].title;
+    return array.dump();
+}
 std::string deductionsJson(const RunSummary& summary) { return lossArray(summary).dump(); }
 
 std::string toJson(const RunSummary& s) {

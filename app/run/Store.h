@@ -36,6 +36,16 @@ public:
     db::Database* database() const { return m_database.get(); }  ///< null when it cannot be used
     const std::string& trouble() const { return m_trouble; }
 
+    /// What is wrong with a backup that somebody wants to restore; empty: it is a whole database of ours.
+    /// Reads a copy beside the database, so that the backup stays as it is. From any thread.
+    std::vector<std::string> checkBackup(const std::filesystem::path& backup) const;
+    /// Puts a backup in place of the database and opens it; the database before is kept as `keptDatabase`.
+    /// All or nothing. Only while nobody holds on to `database()`: not while a run is on.
+    std::optional<std::string> restoreDatabase(const std::filesystem::path& backup);
+    std::filesystem::path keptDatabase() const { return m_folder.root() / "sagara-before-restore.db"; }
+    /// 3D models that people have attached to vessels.
+    std::filesystem::path ownModels() const { return m_folder.root() / "models"; }
+
 private:
     explicit Store(db::DataFolder folder) : m_folder(std::move(folder)), m_assets(files::assetFolder()) {}
     void openDatabase();

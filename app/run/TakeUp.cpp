@@ -1,7 +1,7 @@
 #include "app/run/TakeUp.h"
 
 #include "app/files/Files.h"
-#include "core/exercise/RecordingCut.h"
+#include "core/exercise/RecordingBranch.h"
 #include "core/exercise/Replay.h"
 
 namespace sagara::run {
@@ -40,15 +40,26 @@ core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& path) {
     return all;
 }
 
-core::Result<TakenUp, std::string> takeUpAt(std::shared_ptr<const core::World> world,
+core::Result<SetBack, std::string> takeUpAt(std::shared_ptr<const core::World> world,
                                             const std::filesystem::path& path, std::int64_t tick) {
     const auto bytes = files::readBinaryFile(path);
     if (!bytes) return bytes.error().message;
-    const auto kept = core::bytesUpTo(*bytes, tick);
-    if (!kept) return path.string() + ": the recording does not hold that second";
-    const auto recording = core::readRecording(std::span(*bytes).first(*kept));
-    if (!recording) return path.string() + ": " + recording.error();
-    return takenUp(path.string(), std::move(world), *recording);
+    const auto whole = core::readRecording(*bytes);
+    if (!whole) return path.string() + ": " + whole.error();
+    auto kept = core::recordingUpTo(*bytes, whole->header, tick);
+    if (!kept) return path.string() + ": " + kept.error();
+    auto state = core::stateAt(*world, *whole, tick);
+    if (!state) return path.string() + ": " + state.error();
+    SetBack back;
+    if (const auto recording = core::readRecording(*kept)) {  // of the very start there is nothing yet
+        back.run.events = recording->events;
+        back.run.track = recording->track(world->ships.size(), world->targets.size());
+    }
+    back.run.world = std::move(world);
+    back.run.state = std::move(state).value();
+    back.run.header = whole->header;
+    back.recording = std::move(kept).value();
+    return back;
 }
 
 }  // namespace sagara::run

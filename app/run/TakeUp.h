@@ -25,9 +25,12 @@ struct TakenUp {
 /// of another build.
 core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& recording);
 
-/// The same of a run in this world that goes back to a whole second it has sailed; whether it has ended does
-/// not matter.
-core::Result<TakenUp, std::string> takeUpAt(std::shared_ptr<const core::World> world,
+/// A run in this world that goes back to a whole second it has sailed, whether it has ended or not.
+struct SetBack {
+    TakenUp run;
+    core::Bytes recording;  ///< up to then
+};
+core::Result<SetBack, std::string> takeUpAt(std::shared_ptr<const core::World> world,
                                             const std::filesystem::path& recording, std::int64_t tick);
 
 }  // namespace sagara::run

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/files/AssetSource.h"
+#include "app/station/Doors.h"
 #include "app/station/Station.h"
 #include "render/headless/HeadlessGl.h"
 
@@ -11,11 +12,22 @@ int main(int argc, char** argv) {
     using namespace sagara;
     std::optional<std::filesystem::path> data;
     station::RunRequest request;
-    CLI::App app("Sagara's station: choose an exercise and run it from the trainer's desk");
+    std::string role = "any";
+    bool demo = false;
+    bool fullScreen = false;
+    CLI::App app("Sagara's station: teach, train, practise, keep vessels, show a demo");
     app.name("sagara");
     app.add_option("--data", data, "data folder (else the XDG one)");
-    app.add_option("--scenario", request.scenario, "open the desk of this exercise at once: id or file");
+    app.add_option("--role", role, "open this door at once: trainer, trainee, practise or admin (any)")
+        ->check(CLI::IsMember({"any", "trainer", "trainee", "practise", "admin"}));
+    app.add_flag("--demo", demo,
+                 "the exhibition: the pilot sails until somebody takes the helm; left by a chord and a PIN");
+    app.add_option(
+        "--scenario", request.scenario,
+        "open this exercise at once, id or file: the trainer's desk, or the console of --role trainee");
     app.add_option("--level", request.level, "its difficulty, 1 to 5 (3)")->check(CLI::Range(1, 5));
+    app.add_option("--trainee", request.trainee, "who sails it");
+    app.add_flag("--fullscreen", fullScreen, "cover the monitor");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
@@ -29,10 +41,11 @@ int main(int argc, char** argv) {
     stage.assets = files::assetFolder();
     stage.headless = !render::displayIsSet();
     station::Station window(**store, stage);
-    if (!request.scenario.empty()) {
-        if (const auto trouble = window.openRun(request))
-            return std::fprintf(stderr, "sagara: %s\n", trouble->c_str()), 2;
-    }
-    window.show();
+    if (demo || fullScreen)
+        window.showFullScreen();
+    else
+        window.show();
+    const auto trouble = demo ? station::enterDemo(window) : station::enter(window, role, request);
+    if (trouble) return std::fprintf(stderr, "sagara: %s\n", trouble->c_str()), 2;
     return QApplication::exec();
 }

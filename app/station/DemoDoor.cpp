@@ -7,7 +7,8 @@
 #include "app/files/BuildScenario.h"
 #include "app/station/DemoRun.h"
 #include "app/station/DemoStationWall.h"
-#include "app/station/Settings.h"
+#include "app/station/SettingsDoor.h"
+#include "ui/settings/StoredSettings.h"
 
 namespace sagara::station {
 namespace {
@@ -16,10 +17,9 @@ ui::DemoSettings settingsOf(run::Store& store, const DemoOptions& options) {
     ui::DemoSettings settings;
     settings.timing = options.timing;
     settings.fullScreen = options.fullScreen;
-    const Settings kept(store);
-    settings.pin = kept.get("demo.pin").value_or(settings.pin);
-    const QKeySequence chord(QString::fromStdString(kept.get("demo.chord").value_or(std::string())));
-    if (!chord.isEmpty()) settings.chord = chord;
+    const auto kept = settingsStore(store);
+    settings.pin = ui::storedPin(*kept);
+    settings.chord = ui::storedChord(*kept);
     settings.log = qEnvironmentVariable("SAGARA_DEMO_LOG").toStdString();
     bool given = false;
     const double every_s = qEnvironmentVariable("SAGARA_DEMO_LOG_EVERY").toDouble(&given);

@@ -3,14 +3,17 @@
 #include <QMessageBox>
 #include <QVBoxLayout>
 
-#include "app/station/Doors.h"
+#include "app/station/BridgeLink.h"
+#include "app/station/ConsoleDoor.h"
+#include "app/station/RosterDoor.h"
+#include "app/station/Station.h"
 #include "ui/trainer/TrainerDesk.h"
 #include "ui/trainer/WallPanel.h"
 
 namespace sagara::station {
 
-DeskPage::DeskPage(Frame& frame, std::unique_ptr<StationRun> run)
-    : m_frame(frame),
+DeskPage::DeskPage(Station& station, std::unique_ptr<StationRun> run)
+    : m_station(station),
       m_run(std::move(run)),
       m_wall(std::make_unique<StationWall>(
           m_run->world(),
@@ -22,17 +25,18 @@ DeskPage::DeskPage(Frame& frame, std::unique_ptr<StationRun> run)
 }
 
 DeskPage::~DeskPage() {
-    m_console.reset();
+    delete m_console;
     delete m_desk;  // before the run it looks at
     m_wall.reset();
 }
 
 void DeskPage::makeDesk() {
     delete std::exchange(m_desk, nullptr);
-    m_desk = new ui::TrainerDesk(*m_run, m_frame.stageFor(m_run->world()), this);
-    m_desk->addPanel(tr("Wall"), QStringLiteral("wall"), new ui::WallPanel(*m_wall, m_desk));
+    m_desk = new ui::TrainerDesk(*m_run, m_station.stageFor(m_run->world()), this);
+    m_desk->addPanel(QStringLiteral("wall"), tr("Wall"), QStringLiteral("view-gallery-google"),
+                     new ui::WallPanel(*m_wall, m_desk));
     m_desk->setMayGoBack(m_run->mayGoBack());
-    m_desk->setColours(m_frame.colours());
+    m_desk->setColours(m_station.colours());
     std::vector<ui::ChartTrackPoint> sailed;
     for (const core::TrackSample& s : m_run->sailedBefore())
         if (s.tick % core::kTicksPerSecond == 0 && !s.ships.empty())
@@ -55,7 +59,7 @@ void DeskPage::setColours(ui::PaletteName name) {
 
 void DeskPage::showEvent(QShowEvent* event) {
     ui::Page::showEvent(event);
-    m_frame.stageFor(m_run->world());  // another page may have shown another world
+    m_station.stageFor(m_run->world());  // another page may have shown another world
 }
 
 void DeskPage::goBack(std::int64_t second) {
@@ -63,13 +67,17 @@ void DeskPage::goBack(std::int64_t second) {
         QMessageBox::warning(this, tr("Sagara"), QString::fromStdString(*trouble));
         return;
     }
-    m_console.reset();
+    delete m_console;
     makeDesk();
 }
 
 void DeskPage::openConsole() {
-    m_console.reset(traineeWindow(m_frame, *m_run));
-    if (m_console) m_console->show();
+    if (m_console) return m_console->activateWindow();
+    ui::ConsoleOptions options;
+    options.briefing = false;
+    options.drawsStage = false;  // the desk does
+    m_console = consoleWindow(m_station, *m_run, options);
+    new BridgeLink(m_station.input(), m_station.sound(), *m_console, *m_run);
 }
 
 bool DeskPage::mayLeave() {
@@ -80,7 +88,7 @@ bool DeskPage::mayLeave() {
 
 void DeskPage::endRun() {
     const run::RunSummary summary = m_run->end();
-    showResult(m_frame, *m_run, summary);
+    m_station.replacePage(resultPage(m_station, m_run->recording(), summary));
 }
 
 }  // namespace sagara::station

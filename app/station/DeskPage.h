@@ -1,21 +1,27 @@
 #pragma once
 
-#include "app/station/Frame.h"
+#include <QPointer>
+
 #include "app/station/StationRun.h"
 #include "app/station/StationWall.h"
+#include "ui/theme/Page.h"
+#include "ui/trainee/TraineeConsole.h"
 
 namespace sagara::ui {
+class TraineeConsole;
 class TrainerDesk;
-}
+}  // namespace sagara::ui
 
 namespace sagara::station {
+
+class Station;
 
 /// The trainer's desk with the run it is the desk of, and the run's wall.
 class DeskPage final : public ui::Page {
     Q_OBJECT
 
 public:
-    DeskPage(Frame& frame, std::unique_ptr<StationRun> run);
+    DeskPage(Station& station, std::unique_ptr<StationRun> run);
     ~DeskPage() override;
 
     void setColours(ui::PaletteName name) override;
@@ -36,11 +42,11 @@ private:
     void goBack(std::int64_t second);
     void openConsole();
 
-    Frame& m_frame;
+    Station& m_station;
     std::unique_ptr<StationRun> m_run;
     std::unique_ptr<StationWall> m_wall;
     ui::TrainerDesk* m_desk = nullptr;
-    std::unique_ptr<QWidget> m_console;  ///< the trainee's, on another monitor
+    QPointer<ui::TraineeConsole> m_console;  ///< on another monitor where there is one
 };
 
 }  // namespace sagara::station

@@ -1,20 +1,28 @@
 #pragma once
 
 #include "app/station/Frame.h"
-#include "app/station/StationRun.h"
 
 /// Which pages there are and how one leads to another.
 namespace sagara::station {
 
 class Station;
 
+/// The doors, and what is to be decided first: runs that were broken off or could not be filed.
 ui::Page* homePage(Station& station);
-ui::Page* settingsPageOf(Station& station);
-void showAbout(Station& station, QWidget* parent);
+/// Choosing a lesson for the trainer's desk.
+ui::Page* lessonPage(Station& station);
+/// The same for a trainee who sails it from her own console.
+ui::Page* watchPage(Station& station);
+/// Sailing alone.
+ui::Page* alonePage(Station& station);
 
-/// The trainee's console of a run that the trainer's desk has; a window of its own.
-QWidget* traineeWindow(Frame& frame, StationRun& run);
-/// The result of a run that has ended, in place of the page it was sailed from.
-void showResult(Frame& frame, StationRun& run, const run::RunSummary& summary);
+/// The vessels: the admin's first page.
+ui::Page* adminPage(Station& station);
+
+/// What the command line asks for: a role's door, or at once an exercise. The error is for the person.
+std::optional<std::string> enter(Station& station, const std::string& role, const RunRequest& request);
+std::optional<std::string> enterDemo(Station& station);
+
+void about(Station& station);
 
 }  // namespace sagara::station

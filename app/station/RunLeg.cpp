@@ -1,7 +1,5 @@
 #include "app/station/RunLeg.h"
 
-#include "app/files/Files.h"
-
 namespace sagara::station {
 
 RunLeg::RunLeg(run::Store& store, std::shared_ptr<const core::World> world,
@@ -56,22 +54,19 @@ core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::takeUp(run::Store& st
 
 core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::sailAgain(run::Store& store, const RunLeg& from,
                                                                      std::int64_t tick) {
-    const std::filesystem::path recording = from.recording();
-    auto found = run::takeUpAt(from.world(), recording, tick);
+    auto found = run::takeUpAt(from.world(), from.recording(), tick);
     if (!found) return found.error();
-    run::TakenUp taken = std::move(found).value();
-    const auto bytes = files::readBinaryFile(recording);
-    if (!bytes) return bytes.error().message;
+    run::SetBack back = std::move(found).value();
     std::string trouble;
-    auto file = run::RecordingFile::open(run::newRecordingPath(store, taken.world->scenarioId), 0, trouble);
+    auto file = run::RecordingFile::open(run::newRecordingPath(store, from.world()->scenarioId), 0, trouble);
     if (!file) return trouble;
-    auto leg = std::unique_ptr<RunLeg>(
-        new RunLeg(store, std::move(taken.world), std::move(file), std::move(taken.header)));
-    leg->write(std::span(*bytes).first(taken.whole_bytes));
-    leg->m_writer.goOn(taken.state);
+    auto leg =
+        std::unique_ptr<RunLeg>(new RunLeg(store, from.world(), std::move(file), std::move(back.run.header)));
+    leg->write(back.recording);
+    leg->m_writer.goOn(back.run.state);
     leg->m_filingTrouble = leg->m_filing.begin(leg->m_run);
-    leg->m_sailedBefore = std::move(taken.track);
-    leg->sail(std::move(taken.state), std::move(taken.events));
+    leg->m_sailedBefore = std::move(back.run.track);
+    leg->sail(std::move(back.run.state), std::move(back.run.events));
     return leg;
 }
 

@@ -9,8 +9,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/station/DebriefDoor.h"
 #include "app/station/DeskPage.h"
 #include "app/station/Doors.h"
+#include "app/station/SettingsDoor.h"
+#include "ui/help/HelpWindow.h"
+#include "ui/settings/StoredSettings.h"
 #include "ui/theme/Theme.h"
 
 namespace sagara::station {
@@ -19,16 +23,13 @@ namespace {
 constexpr const char* kPalettes[] = {"day", "dusk", "night"};
 constexpr int kBar_px = 40;
 
-ui::PaletteName paletteOf(const std::string& name) {
-    for (int i = 0; i < 3; ++i)
-        if (name == kPalettes[i]) return static_cast<ui::PaletteName>(i);
-    return ui::PaletteName::Day;
-}
-
 }  // namespace
 
 Station::Station(run::Store& store, render::StageOptions stage)
-    : m_store(store), m_stageOptions(std::move(stage)), m_settings(store), m_stack(new QStackedWidget(this)) {
+    : m_store(store),
+      m_stageOptions(std::move(stage)),
+      m_settings(settingsStore(store)),
+      m_stack(new QStackedWidget(this)) {
     setObjectName(QStringLiteral("station"));
     m_bar = makeBar();
     auto* const layout = new QVBoxLayout(this);
@@ -36,10 +37,11 @@ Station::Station(run::Store& store, render::StageOptions stage)
     layout->setSpacing(0);
     layout->addWidget(m_bar);
     layout->addWidget(m_stack, 1);
-    setColours(paletteOf(m_settings.get("ui.palette").value_or("day")));
+    ui::applySettings(*m_settings, m_input, m_sound);
+    setColours(ui::storedPalette(*m_settings));
     openPage(homePage(*this));
     resize(1280, 720);
-    if (const auto kept = m_settings.get("ui.geometry"))
+    if (const auto kept = m_settings->get("ui.geometry"))
         restoreGeometry(QByteArray::fromBase64(QByteArray::fromStdString(*kept)));
 }
 
@@ -86,12 +88,12 @@ QWidget* Station::makeBar() {
     }
     layout->addSpacing(8);
     auto* const settings = button("settings", QStringLiteral("settings-iec"), tr("Settings"));
-    connect(settings, &QToolButton::clicked, this, [this] { openPage(settingsPageOf(*this)); });
+    connect(settings, &QToolButton::clicked, this, [this] { openSettings(); });
     layout->addWidget(settings);
     auto* const help = button("help", QStringLiteral("help"), tr("Help to this page (F1)"));
     auto* const menu = new QMenu(help);
     menu->addAction(tr("Help to this page"), this, &Station::help);
-    menu->addAction(tr("About Sagara"), this, [this] { showAbout(*this, this); })
+    menu->addAction(tr("About Sagara"), this, [this] { about(*this); })
         ->setObjectName(QStringLiteral("about"));
     help->setMenu(menu);
     help->setPopupMode(QToolButton::MenuButtonPopup);
@@ -183,7 +185,10 @@ std::optional<std::string> Station::openRun(const RunRequest& request) {
 }
 
 std::optional<std::string> Station::openDebrief(const std::filesystem::path& recording) {
-    return recording.string();
+    const auto page = debriefPage(*this, recording);
+    if (!page) return page.error();
+    openPage(page.value());
+    return std::nullopt;
 }
 
 void Station::setColours(ui::PaletteName name) {
@@ -194,11 +199,16 @@ void Station::setColours(ui::PaletteName name) {
         m_bar->findChild<QToolButton*>(QString::fromLatin1(kPalettes[i]))
             ->setChecked(i == static_cast<int>(name));
     for (ui::Page* page : m_pages) page->setColours(name);
-    if (m_settings.get("ui.palette") != kPalettes[static_cast<int>(name)])
-        m_settings.put("ui.palette", kPalettes[static_cast<int>(name)]);
+    if (ui::storedPalette(*m_settings) != name) ui::storePalette(*m_settings, name);
 }
 
-void Station::help() {}
+void Station::openSettings() {
+    openPage(settingsPage(*this, m_input, m_sound, [this](ui::PaletteName name) { setColours(name); }));
+}
+
+void Station::help() {
+    if (page() != nullptr) ui::showHelp(this, files::assetFolder() / "help", page()->helpTopic(), m_colours);
+}
 
 void Station::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_F1) return help();
@@ -212,7 +222,7 @@ void Station::keyPressEvent(QKeyEvent* event) {
 void Station::closeEvent(QCloseEvent* event) {
     for (auto page = m_pages.rbegin(); page != m_pages.rend(); ++page)
         if (!(*page)->mayLeave()) return event->ignore();
-    m_settings.put("ui.geometry", saveGeometry().toBase64().toStdString());
+    m_settings->put("ui.geometry", saveGeometry().toBase64().toStdString());
     event->accept();
 }
 

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "app/station/Frame.h"
-#include "app/station/Settings.h"
+#include "ui/input/BridgeInput.h"
+#include "ui/settings/SettingsStore.h"
+#include "ui/sound/SoundBoard.h"
 
 class QLabel;
 class QToolButton;
@@ -32,7 +34,9 @@ public:
 
     /// Day, dusk or night for every window of the program; remembered.
     void setColours(ui::PaletteName name);
-    Settings& settings() { return m_settings; }
+    ui::SettingsStore& settings() { return *m_settings; }
+    ui::BridgeInput& input() { return m_input; }
+    ui::SoundBoard& sound() { return m_sound; }
 
     ui::Page* page() const;
     std::size_t depth() const { return m_pages.size(); }
@@ -43,6 +47,7 @@ public:
     /// Pages that fill the screen have no bar.
     void setBarShown(bool shown);
     void help();
+    void openSettings();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -56,7 +61,9 @@ private:
 
     run::Store& m_store;
     render::StageOptions m_stageOptions;
-    Settings m_settings;
+    std::unique_ptr<ui::SettingsStore> m_settings;
+    ui::BridgeInput m_input;
+    ui::SoundBoard m_sound;
     ui::PaletteName m_colours = ui::PaletteName::Day;
     std::unique_ptr<render::Stage> m_stage;
     std::weak_ptr<const core::World> m_staged;

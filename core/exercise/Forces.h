@@ -2,13 +2,10 @@
 
 #include <array>
 
+#include "core/exercise/ForceCause.h"
 #include "core/exercise/State.h"
 
 namespace sagara::core {
-
-/// Who pushes an own ship in the horizontal plane.
-enum class ForceCause : std::uint8_t { Hull, Rudder, Propeller, Wind, Waves, Lines, Anchors, Contact };
-inline constexpr std::size_t kForceCauses = 8;
 
 /// Forces on an own ship at this moment by cause, frame B about Bo; only surge, sway and yaw are set. Made
 /// for people to look at: it costs about what a tick of the ship costs, so ask a few times a second.

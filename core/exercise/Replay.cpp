@@ -41,12 +41,6 @@ bool fits(const World& world, const State& state) {
            state.weather.sea.active.size() == state.weather.sea.amplitude_m.size();
 }
 
-Result<State, std::string> load(const World& world, const Recording::StatePart& part) {
-    auto state = fromBytes<State>(part.bytes);
-    if (!state || !fits(world, *state)) return "the state at " + second(part.tick) + " cannot be read";
-    return std::move(*state);
-}
-
 std::optional<std::string> whyNot(const Recording& recording, std::int64_t tick) {
     if (!recording.sameBuild()) {
         return "the run was made by another build of Sagara (" + recording.header.buildId +
@@ -58,13 +52,19 @@ std::optional<std::string> whyNot(const Recording& recording, std::int64_t tick)
 
 /// The State in which a run is replayed from its begin.
 Result<State, std::string> firstState(const World& world, const Recording& recording) {
-    return load(world, recording.states.front());
+    return readState(world, recording.states.front());
 }
 
 }  // namespace
 
 Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording) {
     return buildWorld(recording.header.documents, recording.header.seed);
+}
+
+Result<State, std::string> readState(const World& world, const Recording::StatePart& part) {
+    auto state = part.version == kStateVersion ? fromBytes<State>(part.bytes) : std::nullopt;
+    if (!state || !fits(world, *state)) return "the state at " + second(part.tick) + " cannot be read";
+    return std::move(*state);
 }
 
 Result<State, std::string> stateAt(const World& world, const Recording& recording, std::int64_t tick) {
@@ -74,7 +74,7 @@ Result<State, std::string> stateAt(const World& world, const Recording& recordin
         if (part.tick <= tick) last = &part;
     }
     if (!last) return "there is no state at or before " + second(tick);
-    auto loaded = load(world, *last);
+    auto loaded = readState(world, *last);
     if (!loaded) return loaded;
     State state = std::move(loaded).value();
     CommandsByTick commands(recording.commands, state.tick);

@@ -11,6 +11,9 @@ namespace sagara::core {
 /// The world a recording ran in, from the documents it carries.
 Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording);
 
+/// A stored state of a recording. Fails when its bytes cannot be read or are not of this world.
+Result<State, std::string> readState(const World& world, const Recording::StatePart& part);
+
 /// State of a run at a tick, to the bit: the last stored state not after it, and the commands since. Fails
 /// when the recording is of another build, does not reach so far or its states cannot be read.
 Result<State, std::string> stateAt(const World& world, const Recording& recording, std::int64_t tick);

@@ -9,7 +9,7 @@ pkg_check_modules(GeographicLib REQUIRED IMPORTED_TARGET geographiclib)
 include(GoogleTest)
 
 if(NOT SAGARA_CORE_ONLY)
-  find_package(Qt6 6.4 REQUIRED COMPONENTS Charts Concurrent Core Gui Network SerialPort Sql Svg Test Widgets)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Charts Concurrent Core Gui Network PrintSupport SerialPort Sql Svg Test Widgets)
   find_package(Protobuf 3.21 REQUIRED)
   find_package(CLI11 2.1 REQUIRED)
   find_package(GDAL 3.6 REQUIRED)

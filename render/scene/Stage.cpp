@@ -45,7 +45,8 @@ public:
     void show(std::shared_ptr<const core::World> world) {
         for (const auto& target : m_targets) target->forget();
         m_scene.reset();
-        m_scene = std::make_unique<Scene>(*m_host, std::move(world), m_options.assets, m_options.preset);
+        m_scene = std::make_unique<Scene>(*m_host, std::move(world), m_options.assets, m_options.preset,
+                                          m_options.ownModels);
     }
     std::vector<std::string> remarks() const {
         return m_scene ? m_scene->remarks() : std::vector<std::string>();

@@ -18,6 +18,7 @@ struct StageOptions {
     std::filesystem::path assets;  ///< the folder assets/, for shaders
     Preset preset = Preset::Medium;
     bool headless = false;  ///< no X server: GL through render/headless
+    std::filesystem::path ownModels = {};  ///< a second folder of 3D models: those the school has attached
 };
 
 /// What the last picture of a viewport cost.

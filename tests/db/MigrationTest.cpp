@@ -62,6 +62,20 @@ TEST_P(StoredSample, KeepsEveryRow) {
     EXPECT_EQ(RunRepository(db).findByRecording("recordings/b.sagarec")->status, RunStatus::Running);
 }
 
+TEST_P(StoredSample, StaysBesideTheRaisedOneAsItWas) {
+    const fs::path file = m_folder / "sagara.db", copy = olderCopy(file, GetParam());
+    { Database raised(file); }
+    ASSERT_EQ(fs::exists(copy), GetParam() < kSchemaVersion);
+    if (!fs::exists(copy)) return;
+    EXPECT_EQ(copy.filename(), "sagara-version-" + std::to_string(GetParam()) + ".db");
+    Connection kept(copy, Connection::Access::ReadOnly, kBusyTimeout);
+    EXPECT_EQ(schemaVersion(kept), GetParam());
+    Query people(kept, u"SELECT name FROM person"_s);
+    EXPECT_TRUE(people.next());
+    { Database again(file); }
+    EXPECT_EQ(schemaVersion(kept), GetParam());
+}
+
 TEST_P(StoredSample, IsReadyForWhatIsNew) {
     Database db(m_folder / "sagara.db");
     const PersonRecord person = PersonRepository(db).findByName("නිමල් O'Brien").value();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,19 @@ struct AnchorDrop {
     double time_s = 0.0;
 };
 
+/// What the assessor said of the run.
+struct AssessorNote {
+    struct Overrule {
+        double score = 0.0;
+        bool passed = false;
+        std::string reason;
+    };
+    std::string comment;
+    std::optional<Overrule> overrule;  ///< in place of the automatic result
+    std::string signedBy;              ///< empty: not signed off, room is left to sign by hand
+    core::Utc signedAt;
+};
+
 struct OtherTrack {
     std::string name;
     bool hostile = false;
@@ -93,6 +107,7 @@ struct RunReport {
     std::string gradedFrom;  ///< "the run itself" or "the recorded track of another build"
     std::string stateHash;
     std::string buildId;
+    std::optional<AssessorNote> assessor;
     std::vector<TaskLine> tasks;
     std::vector<CriterionLine> criteria;
     std::vector<DeductionLine> deductions;

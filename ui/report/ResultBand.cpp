@@ -12,6 +12,7 @@ constexpr double kVerdict_mm = 58.0;     ///< width of the coloured field
 constexpr double kScoreFrom_mm = 118.0;  ///< where the score begins
 constexpr double kLeastHeight_mm = 32.0;
 const TextStyle kVerdictStyle{20.0, colour::kPaper, true};
+const TextStyle kWhoseStyle{10.0, colour::kPaper};
 const TextStyle kWhyStyle{10.0, colour::kInk, true};
 const TextStyle kFactStyle{9.0, colour::kQuiet};
 const TextStyle kScoreStyle{30.0, colour::kInk, true};
@@ -34,11 +35,18 @@ QString countedDeductions(const RunReport& report) {
     return tr("%1 deductions, %2 points in all.").arg(report.deductions.size()).arg(shortNumber(points, 1));
 }
 
-void drawVerdict(QPainter& painter, const QRectF& area, bool passed) {
+/// The assessor's result goes before the automatic one, and says that it is hers.
+void drawVerdict(QPainter& painter, const QRectF& area, const RunReport& report) {
+    const bool overruled = report.assessor && report.assessor->overrule;
+    const bool passed = overruled ? report.assessor->overrule->passed : report.passed;
     const QRectF field(area.topLeft(), QSizeF(kVerdict_mm, area.height()));
     painter.fillRect(field, passed ? colour::kPassed : colour::kFailed);
-    drawText(painter, field.center(), Qt::AlignHCenter | Qt::AlignVCenter,
-             passed ? tr("PASSED") : tr("NOT PASSED"), kVerdictStyle);
+    drawText(painter, field.center() - QPointF(0.0, overruled ? 2.5 : 0.0),
+             Qt::AlignHCenter | Qt::AlignVCenter, passed ? tr("PASSED") : tr("NOT PASSED"), kVerdictStyle);
+    if (!overruled) return;
+    const QString whose = tr("assessor: %1 of 100").arg(shortNumber(report.assessor->overrule->score, 1));
+    drawText(painter, field.center() + QPointF(0.0, 6.0), Qt::AlignHCenter | Qt::AlignVCenter, whose,
+             kWhoseStyle);
 }
 
 /// A scale from 0 to 100, filled up to the score, with a notch at the pass mark.
@@ -78,7 +86,7 @@ Block resultBand(const RunReport& report) {
     block.height_mm = std::max(kLeastHeight_mm, why_mm + facts.height_mm() + 7.0);
     block.draw = [why, facts, why_mm, &report](QPainter& painter, const QRectF& area) {
         painter.fillRect(area, colour::kPanel);
-        drawVerdict(painter, area, report.passed);
+        drawVerdict(painter, area, report);
         const QPointF words(area.left() + kVerdict_mm + 5.0,
                             area.center().y() - 0.5 * (why_mm + facts.height_mm()));
         if (why_mm > 0.0) why.draw(painter, words);

@@ -5,7 +5,7 @@
 
 namespace sagara::report {
 
-/// PASSED or NOT PASSED, why, and the score with its pass mark.
+/// PASSED or NOT PASSED, why, and the automatic score with its pass mark.
 Block resultBand(const RunReport& report);
 
 }  // namespace sagara::report

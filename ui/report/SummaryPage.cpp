@@ -136,7 +136,7 @@ std::vector<Sheet> summarySheets(const RunReport& report) {
     blocks.push_back(factsPanel(report));
     blocks.push_back(resultBand(report));
     appendTables(blocks, report);
-    blocks.push_back(signOff());
+    append(blocks, signOff(report));
     return flow(tr("Report of a run"), std::move(blocks), page::kContent);
 }
 

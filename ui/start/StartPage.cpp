@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -50,8 +51,9 @@ QString briefingHtml(const core::World& world) {
     return text + QStringLiteral("<p><i>%1. %2</i></p>").arg(html(m.competenceCode), html(world.area.notice));
 }
 
-StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent)
+StartPage::StartPage(For whom, std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent)
     : Page(parent),
+      m_for(whom),
       m_scenarios(std::move(scenarios)),
       m_look(std::move(look)),
       m_list(new QListWidget(this)),
@@ -60,9 +62,10 @@ StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* p
       m_type(new QComboBox(this)),
       m_trainee(new QLineEdit(this)),
       m_pilot(new QCheckBox(tr("The scripted pilot has the ship at the start"), this)),
-      m_open(new QPushButton(tr("Open the desk"), this)),
+      m_open(new QPushButton(whom == For::Trainer ? tr("Open the desk") : tr("Go to the bridge"), this)),
       m_trouble(new QLabel(this)) {
-    setWindowTitle(tr("Run a lesson"));
+    setWindowTitle(whom == For::Trainer ? tr("Run a lesson") : tr("Take a watch"));
+    m_pilot->setVisible(whom == For::Trainer);
     m_open->setProperty("primary", true);
     m_list->setObjectName(QStringLiteral("scenarios"));
     m_open->setObjectName(QStringLiteral("open"));
@@ -85,7 +88,7 @@ StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* p
     form->addRow(tr("Difficulty"), m_level);
     form->addRow(tr("Run as"), m_type);
     form->addRow(tr("Trainee"), m_trainee);
-    form->addRow(m_pilot);
+    if (whom == For::Trainer) form->addRow(m_pilot);
     auto* const left = new QVBoxLayout;
     left->addWidget(heading(tr("Exercises"), 1.2, this));
     left->addWidget(m_list, 1);
@@ -111,6 +114,13 @@ StartPage::StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* p
     }
 }
 
+void StartPage::setNames(const QStringList& names) {
+    auto* const completer = new QCompleter(names, this);
+    completer->setCaseSensitivity(Qt::CaseInsensitive);
+    completer->setFilterMode(Qt::MatchContains);
+    m_trainee->setCompleter(completer);
+}
+
 void StartPage::setTrouble(const QString& trouble) { m_trouble->setText(trouble); }
 
 void StartPage::showBriefing(int row) {
@@ -123,7 +133,7 @@ void StartPage::showBriefing(int row) {
             tr("This scenario cannot be sailed:\n\n%1").arg(QString::fromStdString(world.error())));
         return;
     }
-    m_pilot->setEnabled(!(*world)->pilot.empty());
+    m_pilot->setEnabled(m_for == For::Trainer && !(*world)->pilot.empty());
     m_briefing->setHtml(briefingHtml(**world));
 }
 

@@ -32,7 +32,8 @@ struct StartChoice {
     bool pilot = false;
 };
 
-/// Choosing an exercise: which, how hard, for whom, as what. Shows the briefing of what is chosen.
+/// Choosing an exercise: which, how hard, for whom, as what. Shows the briefing of what is chosen. A trainee
+/// finds no scripted pilot here.
 class StartPage final : public Page {
     Q_OBJECT
 
@@ -41,7 +42,9 @@ public:
     using Look =
         std::function<core::Result<std::shared_ptr<const core::World>, std::string>(const std::string&)>;
 
-    StartPage(std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent = nullptr);
+    enum class For { Trainer, Trainee };
+    StartPage(For whom, std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent = nullptr);
+    void setNames(const QStringList& names);  ///< of the roster, to choose from while typing
     QString helpTopic() const override { return QStringLiteral("lesson"); }
     void setTrouble(const QString& trouble);  ///< shown until the next choice; empty: none
 
@@ -52,6 +55,7 @@ private:
     void showBriefing(int row);
     void open();
 
+    const For m_for;
     std::vector<ScenarioEntry> m_scenarios;
     Look m_look;
     QListWidget* m_list;

@@ -116,16 +116,18 @@ void HelmPanel::refresh() {
     const core::OwnShipView& ship = now->ships[m_ship];
     const QSignalBlocker quiet[] = {QSignalBlocker(m_pilot), QSignalBlocker(m_rudder)};
     // An order not yet carried out must not be undone by the display of the last.
-    if (!m_rudder->isSliderDown() && m_run.running())
+    const bool follows = m_run.running() || now->tick != m_tick;
+    m_tick = now->tick;
+    if (!m_rudder->isSliderDown() && follows)
         m_rudder->setValue(static_cast<int>(std::lround(ship.rudderOrder_rad / core::kDegree_rad)));
-    if (m_run.running()) m_pilot->setChecked(ship.pilotEngaged);
+    if (follows) m_pilot->setChecked(ship.pilotEngaged);
     const int order_deg = m_rudder->value();
     m_order->setText(order_deg == 0  ? tr("0°")
                      : order_deg < 0 ? tr("P %1°").arg(-order_deg)
                                      : tr("S %1°").arg(order_deg));
     const auto& table = m_run.world()->ships[m_ship]->vessel.propulsion.telegraph_rps;
     for (std::size_t i = 0; i < std::min(m_telegraphs.size(), ship.shaftOrders_rps.size()); ++i) {
-        if (m_telegraphs[i]->view()->isVisible() || !m_run.running()) continue;
+        if (m_telegraphs[i]->view()->isVisible() || !follows) continue;
         const int step = nearestStep(table, ship.shaftOrders_rps[i]);
         m_telegraphs[i]->setCurrentIndex(m_telegraphs[i]->findData(step));
     }

@@ -27,6 +27,7 @@ private:
     QSlider* m_rudder;  ///< degrees, starboard to the right
     QLabel* m_order;
     std::vector<QComboBox*> m_telegraphs;
+    std::int64_t m_tick = 0;  ///< of what is shown
 };
 
 }  // namespace sagara::ui

@@ -7,6 +7,7 @@
 #include "core/base/Angle.h"
 #include "core/base/Units.h"
 #include "ui/chart/Format.h"
+#include "ui/widgets/Measure.h"
 
 namespace sagara::ui {
 namespace {
@@ -78,9 +79,8 @@ void Instruments::show(const core::Snapshot& now) {
     const core::OwnShipView& s = now.ships[m_ship];
     const core::ShipMotion& m = s.motion;
     const QString port = tr("port"), starboard = tr("starboard");
-    const double convergence_rad = m_world.area.frame.convergence_rad(m.position());
     const auto trueBearing = [&](double grid_rad) {
-        return chart::bearing(degrees(grid_rad + convergence_rad));
+        return chart::bearing(degrees(trueDirection_rad(m_world.area.frame, m.position(), grid_rad)));
     };
     const double overGround_mps = std::hypot(s.overGround_mps.north_m, s.overGround_mps.east_m);
     const double throughWater_mps = std::hypot(m.surge_mps, m.sway_mps);

@@ -62,9 +62,14 @@ void MissionPanel::refresh() {
                                        : tr("   %1").arg(title);
         if (item->text() != text) item->setText(text);
     }
+    if (now->tick < m_seen) {  // somebody went back
+        m_log->clear();
+        m_events = 0;
+    }
+    m_seen = now->tick;
     for (const core::Event& event : m_run.eventsFrom(m_events)) {
         ++m_events;
-        const QString text = eventText(*m_run.world(), event);
+        const QString text = eventText(*m_run.world(), now->added, event);
         if (text.isEmpty()) continue;
         m_log->addItem(tr("%1  %2").arg(elapsed(event.time()), text));
         m_log->scrollToBottom();

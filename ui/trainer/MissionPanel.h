@@ -23,6 +23,7 @@ private:
     QListWidget* m_tasks;
     QListWidget* m_log;
     std::size_t m_events = 0;
+    std::int64_t m_seen = 0;  ///< tick
 };
 
 }  // namespace sagara::ui

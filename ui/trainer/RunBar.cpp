@@ -94,6 +94,13 @@ void RunBar::fillGoBack() {
                                       std::pair{60, tr("1 minute")}, std::pair{300, tr("5 minutes")}})
         if (now_s > ago_s) offer(tr("%1 back").arg(text), now_s - ago_s);
     if (now_s > 0) menu->addSeparator();
+    for (const core::Event& event : m_run.eventsFrom(0)) {
+        if (event.kind != core::EventKind::NoteMade || event.value == 0.0) continue;
+        const QString text = QString::fromStdString(event.text);
+        offer(text.isEmpty() ? tr("Bookmark at %1").arg(elapsed(event.time()))
+                             : tr("%1: %2").arg(elapsed(event.time()), text),
+              event.time().us / 1'000'000);
+    }
     offer(tr("To the start"), 0);
     menu->addAction(tr("To a time ..."), this, &RunBar::askSecond);
 }

@@ -36,7 +36,9 @@ void ViewportWidget::refresh() {
 
 void ViewportWidget::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    m_shown = m_viewport->latest();
+    const auto latest = m_viewport->latest();
+    if (latest != m_shown) ++m_picturesShown;
+    m_shown = latest;
     if (!m_shown) {
         painter.fillRect(rect(), Qt::black);
         painter.setPen(Qt::lightGray);

@@ -25,6 +25,9 @@ public:
     /// Repaints if there is a picture it has not shown yet.
     void refresh();
 
+    /// How many different pictures have been painted, for figures and tests.
+    int picturesShown() const { return m_picturesShown; }
+
     QSize sizeHint() const override { return {640, 360}; }
     QSize minimumSizeHint() const override { return {160, 90}; }
 
@@ -49,6 +52,7 @@ private:
     render::Camera m_camera;
     QPoint m_pressedAt, m_draggedTo;
     bool m_dragged = false;
+    int m_picturesShown = 0;
 };
 
 }  // namespace sagara::ui

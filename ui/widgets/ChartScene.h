@@ -2,9 +2,11 @@
 
 #include <QFlags>
 #include <QString>
+#include <cmath>
 #include <vector>
 
 #include "core/base/Planar.h"
+#include "core/exercise/ForceCause.h"
 #include "core/world/Route.h"
 
 /// What a chart shows over the area: plain values in SI and frame N, given by whoever owns the widget.
@@ -28,10 +30,11 @@ enum class ChartLayer : unsigned {
     Route = 1u << 13,
     Zones = 1u << 14,
     Anchors = 1u << 15,
-    SafetyLimits = 1u << 16
+    SafetyLimits = 1u << 16,
+    Forces = 1u << 17
 };
 Q_DECLARE_FLAGS(ChartLayers, ChartLayer)
-inline constexpr ChartLayers kAllChartLayers = ChartLayers::fromInt(0x1ffffu);
+inline constexpr ChartLayers kAllChartLayers = ChartLayers::fromInt(0x3ffffu);
 
 struct ChartShip {
     int id = 0;
@@ -92,6 +95,14 @@ struct ChartHandle {
     QString hint;  ///< for its tooltip
 };
 
+/// One cause that pushes the own ship, in frame B: where it pushes and how hard.
+struct ShownForce {
+    core::ForceCause cause = core::ForceCause::Hull;
+    core::BodyPoint at;
+    core::BodyPoint force_N;
+    double size_N() const { return std::hypot(force_N.x_m, force_N.y_m); }
+};
+
 struct ChartScene {
     std::vector<ChartShip> ownShips;  ///< the first is followed and measured from
     std::vector<ChartShip> targets;
@@ -102,9 +113,11 @@ struct ChartScene {
     std::vector<ChartZone> zones;
     std::vector<ChartAnchor> anchors;
     std::vector<ChartHandle> handles;
-    double clearance_m = 0.0;    ///< to be kept from other ships: a ring about the own ship; 0: none
-    double vector_min = 6.0;     ///< length of speed vectors
-    double clockAtZero_s = 0.0;  ///< time of day at time 0, for the times along tracks
+    std::vector<ShownForce> forces;  ///< on the first own ship
+    double forceScale_NPerPx = 0.0;  ///< 0: as suits the forces
+    double clearance_m = 0.0;        ///< to be kept from other ships: a ring about the own ship; 0: none
+    double vector_min = 6.0;         ///< length of speed vectors
+    double clockAtZero_s = 0.0;      ///< time of day at time 0, for the times along tracks
 };
 
 }  // namespace sagara::ui

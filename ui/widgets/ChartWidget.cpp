@@ -120,6 +120,12 @@ void ChartWidget::setAnchors(std::vector<ChartAnchor> anchors) {
     update();
 }
 
+void ChartWidget::setForces(std::vector<ShownForce> forces, double NPerPx) {
+    m_scene.forces = std::move(forces);
+    m_scene.forceScale_NPerPx = NPerPx;
+    update();
+}
+
 void ChartWidget::setHandles(std::vector<ChartHandle> handles) {
     const bool dragging = m_gesture == Gesture::Handle;
     if (dragging && m_handle < m_scene.handles.size() && m_handle < handles.size() &&
@@ -416,6 +422,7 @@ void ChartWidget::mouseReleaseEvent(QMouseEvent* event) {
     const ChartPick pick = pickAt(event->position());
     if (!pick.text.isEmpty()) QToolTip::showText(event->globalPosition().toPoint(), pick.text, this);
     Q_EMIT picked(pick);
+    Q_EMIT clicked(view().toChart(event->position()));
 }
 
 void ChartWidget::leaveEvent(QEvent* event) {

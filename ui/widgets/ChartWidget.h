@@ -48,10 +48,13 @@ public:
     void setRoute(const core::Route& route);
     void setZones(std::vector<ChartZone> zones);
     void setAnchors(std::vector<ChartAnchor> anchors);
+    /// `NPerPx`: of the arrows; 0: as suits the forces.
+    void setForces(std::vector<ShownForce> forces, double NPerPx = 0.0);
     void setHandles(std::vector<ChartHandle> handles);
     void setClearance(double clearance_m);
     void setVectorLength(double minutes);
     const ChartScene& scene() const { return m_scene; }
+    const std::shared_ptr<const PreparedChart>& chart() const { return m_look.chart; }
 
     const ChartTransform& view() const { return m_camera.transform(); }
     bool following() const { return m_camera.following(); }
@@ -80,6 +83,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     void cursorMoved(core::NorthEast position);
     void picked(const sagara::ui::ChartPick& pick);
+    /// With every picked: where.
+    void clicked(core::NorthEast position);
     /// While a handle is dragged, and once when it is let go. A drag that is cancelled gives handleDragged
     /// with the old position.
     void handleDragged(int id, core::NorthEast position);

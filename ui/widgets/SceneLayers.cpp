@@ -17,6 +17,7 @@ void drawScene(ChartCanvas& canvas, const ChartScene& scene, const RouteShape& s
     if (canvas.shows(ChartLayer::Route)) labelRoute(canvas, scene, frame);
     if (canvas.shows(ChartLayer::Anchors)) labelAnchors(canvas, scene);
     if (canvas.shows(ChartLayer::Zones)) labelZones(canvas, scene);
+    if (canvas.shows(ChartLayer::Forces)) drawForces(canvas, scene);
 }
 
 }  // namespace sagara::ui

@@ -20,6 +20,8 @@ void drawPredictions(ChartCanvas& canvas, const ChartScene& scene);
 void drawTargets(ChartCanvas& canvas, const ChartScene& scene);
 void drawOwnShips(ChartCanvas& canvas, const ChartScene& scene);
 
+void drawForces(ChartCanvas& canvas, const ChartScene& scene);
+
 void labelShips(ChartCanvas& canvas, const ChartScene& scene);
 void labelRoute(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame);
 void labelAnchors(ChartCanvas& canvas, const ChartScene& scene);

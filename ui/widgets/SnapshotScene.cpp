@@ -17,7 +17,38 @@ double swing_m(const core::Area& area, const core::OwnShip& ship, const core::An
     return level_m + gear.hawse.x_m + 0.5 * ship.vessel.hull.lengthOverall_m;
 }
 
+ChartZone zoneOf(const core::TaskZone& zone, const std::string& name, ChartZone::Kind kind, int id) {
+    ChartZone made;
+    made.id = id;
+    made.name = QString::fromStdString(name);
+    made.kind = kind;
+    if (zone.kind == core::TaskZone::Kind::Circle) {
+        made.centre = zone.points.front();
+        made.radius_m = zone.radius_m;
+    } else {
+        made.corners = zone.points;
+    }
+    return made;
+}
+
 }  // namespace
+
+std::vector<ChartZone> zonesOf(const core::Mission& mission, const std::vector<core::TaskView>& tasks) {
+    std::vector<ChartZone> zones;
+    const auto next = [&] { return static_cast<int>(zones.size()); };
+    for (std::size_t i = 0; i < mission.tasks.size(); ++i) {
+        const auto zone = mission.tasks[i]->zone();
+        const bool done = i < tasks.size() && tasks[i].done;
+        if (zone)
+            zones.push_back(zoneOf(*zone, mission.tasks[i]->title(),
+                                   done ? ChartZone::Kind::Done : ChartZone::Kind::Task, next()));
+    }
+    for (const auto& criterion : mission.criteria) {
+        for (const core::TaskZone& zone : criterion->zones())
+            zones.push_back(zoneOf(zone, criterion->terms().title, ChartZone::Kind::Limit, next()));
+    }
+    return zones;
+}
 
 std::vector<ChartShip> ownShipsOf(const core::World& world, const core::Snapshot& now) {
     std::vector<ChartShip> ships;

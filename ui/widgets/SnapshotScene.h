@@ -14,6 +14,10 @@ std::vector<ChartShip> targetsOf(const core::World& world, const core::Snapshot&
 /// cable's length on the level plus the way from the hawse to the stern.
 std::vector<ChartAnchor> anchorsOf(const core::World& world, const core::Snapshot& now);
 
+/// Where the tasks are to be done, those done as done, and where criteria hold. They change only when a task
+/// is done.
+std::vector<ChartZone> zonesOf(const core::Mission& mission, const std::vector<core::TaskView>& tasks);
+
 ChartPrediction predictionOf(const core::World& world, std::size_t ship,
                              const std::vector<core::PredictedPose>& poses);
 

@@ -31,7 +31,7 @@ QPointF placeOfName(const ChartCanvas& canvas, const ChartZone& zone) {
 void drawZone(ChartCanvas& canvas, const ChartZone& zone) {
     const QColor colour = colourOf(canvas.palette, zone.kind);
     QColor inside = colour;
-    inside.setAlpha(zone.corners.size() == 2 ? 0 : 26);
+    inside.setAlpha(zone.corners.size() == 2 ? 0 : zone.kind == ChartZone::Kind::Limit ? 10 : 26);
     canvas.painter.setPen(zone.kind == ChartZone::Kind::Limit ? dashedChartPen(colour, 1.8, 3.0, 3.0)
                                                               : dashedChartPen(colour, 1.8, 8.0, 4.0));
     canvas.painter.setBrush(inside);

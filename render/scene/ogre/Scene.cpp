@@ -19,12 +19,12 @@
 namespace sagara::render {
 
 Scene::Scene(Host& host, std::shared_ptr<const core::World> world, const std::filesystem::path& assets,
-             Preset preset)
+             Preset preset, const std::filesystem::path& ownModels)
     : m_host(host),
       m_world(std::move(world)),
       m_figures(figuresOf(preset)),
       m_scenes(host.root().createSceneManager()),
-      m_fleet(fleetOf(*m_world, assets)) {
+      m_fleet(fleetOf(*m_world, assets, ownModels)) {
     Ogre::ResourceGroupManager::getSingleton().createResourceGroup(kSceneGroup);
     m_materials = std::make_unique<Materials>(assets / "shaders", m_figures);
     const PartContext context{*m_world, *m_scenes, *m_materials, m_figures, m_fleet};

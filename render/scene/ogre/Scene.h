@@ -14,7 +14,7 @@ namespace sagara::render {
 class Scene {
 public:
     Scene(Host& host, std::shared_ptr<const core::World> world, const std::filesystem::path& assets,
-          Preset preset);
+          Preset preset, const std::filesystem::path& ownModels = {});
     ~Scene();
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;

@@ -23,12 +23,13 @@ core::Result<core::Picture, std::string> pictureOf(const fs::path& assets, const
 
 class Builder {
 public:
-    Builder(const fs::path& assets, Fleet& fleet) : m_assets(assets), m_fleet(fleet) {}
+    Builder(const fs::path& assets, const fs::path& ownModels, Fleet& fleet)
+        : m_assets(assets), m_ownModels(ownModels), m_fleet(fleet) {}
 
     /// `picture` null: she has none.
     ShipLook look(const std::string& name, ShipForm form, unsigned variant, const core::Picture* picture) {
         if (picture != nullptr) {
-            auto model = readModel(m_assets / "models", *picture, form.length_m, form.beam_m);
+            auto model = readModel(folderOf(*picture), *picture, form.length_m, form.beam_m);
             if (model) {
                 form.lights = model->lights;
                 return {std::move(form), std::move(model->shape)};
@@ -43,7 +44,15 @@ public:
     }
 
 private:
+    fs::path folderOf(const core::Picture& picture) const {
+        std::error_code ignored;
+        const bool own = !m_ownModels.empty() && !fs::exists(m_assets / "models" / picture.model, ignored) &&
+                         fs::exists(m_ownModels / picture.model, ignored);
+        return own ? m_ownModels : m_assets / "models";
+    }
+
     fs::path m_assets;
+    fs::path m_ownModels;
     Fleet& m_fleet;
 };
 
@@ -59,9 +68,9 @@ bool looksLike(const core::TargetLayout& a, const core::TargetLayout& b) {
     return a.type == b.type && a.length_m == b.length_m && a.beam_m == b.beam_m && a.draught_m == b.draught_m;
 }
 
-Fleet fleetOf(const core::World& world, const fs::path& assets) {
+Fleet fleetOf(const core::World& world, const fs::path& assets, const fs::path& ownModels) {
     Fleet fleet;
-    Builder builder(assets, fleet);
+    Builder builder(assets, ownModels, fleet);
     for (const auto& ship : world.ships) {
         const core::Vessel& v = ship->vessel;
         fleet.own.push_back(builder.look(ship->id, formOf(v), 0, v.picture ? &*v.picture : nullptr));

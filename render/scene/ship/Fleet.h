@@ -28,7 +28,8 @@ ShipLook lookOfAdded(const core::TargetLayout& target, std::size_t index);
 /// Whether two of them look alike.
 bool looksLike(const core::TargetLayout& a, const core::TargetLayout& b);
 
-/// `assets` has models/ and pictures/.
-Fleet fleetOf(const core::World& world, const std::filesystem::path& assets);
+/// `assets` has models/ and pictures/; a model that is not there is looked for in `ownModels`.
+Fleet fleetOf(const core::World& world, const std::filesystem::path& assets,
+              const std::filesystem::path& ownModels = {});
 
 }  // namespace sagara::render

@@ -14,6 +14,7 @@
 #include "app/station/DemoRun.h"
 #include "db/PersonRepository.h"
 #include "db/RunRepository.h"
+#include "db/SettingRepository.h"
 #include "ui/demo/DemoPage.h"
 
 namespace sagara::station {
@@ -144,7 +145,7 @@ TEST_F(Demo, NothingIsWrittenToRosterRunsOrRecordings) {
 }
 
 TEST_F(Demo, OnlyChordAndPinLeaveIt) {
-    Settings(store()).put("demo.pin", "2580");
+    db::SettingRepository(*store().database()).put("demo.pin", "2580");
     auto* const page = open();
     bool left = false;
     QObject::connect(page, &ui::Page::leaveWanted, page, [&] { left = true; });

@@ -15,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include "FakeFrame.h"
-#include "app/station/AboutDoor.h"
 #include "app/station/PractiseDoor.h"
 #include "db/AssignmentRepository.h"
 #include "db/RunRepository.h"
@@ -185,16 +184,6 @@ TEST_F(Practise, ANameThatIsNoneSaysWhyAndKeepsTheShipInPort) {
     find<QComboBox>("person")->setEditText(QString(3, QLatin1Char('\t')) + QStringLiteral("a\tb"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !find<QPushButton>("set-sail")->isEnabled(); }, 10'000));
     EXPECT_FALSE(find<QLabel>("person-note")->text().isEmpty());
-}
-
-TEST_F(Practise, AboutNamesTheAreasOfThisInstallation) {
-    const ui::AboutFacts facts = aboutFacts(store());
-    EXPECT_FALSE(facts.version.isEmpty());
-    EXPECT_FALSE(facts.buildId.isEmpty());
-    EXPECT_TRUE(facts.attributions.contains(QStringLiteral("FlightGear")));
-    ASSERT_GE(facts.credits.size(), 1);
-    EXPECT_EQ(facts.credits[0].document.toStdString(), "Area: galle");
-    EXPECT_TRUE(std::filesystem::exists(helpFolder() / "practise.md"));
 }
 
 TEST_F(Practise, PicturesInDayAndNight) {

@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
@@ -135,7 +134,7 @@ TEST_F(StationWindow, OrdersEventsFaultsAndWeatherReachTheRun) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return (desk()->refresh(), logSays(QStringLiteral("rudder jammed"))); },
                                 10'000));
     QTest::mouseClick(find<QPushButton>("apply-weather"), Qt::LeftButton);
-    for (const char* dock : {"events", "helm"}) find<QDockWidget>(dock)->raise();
+    desk()->showPanel(QStringLiteral("events"));
     keepPicture("desk-events.png");
     auto* const difficulty = find<QComboBox>("difficulty");
     difficulty->setCurrentIndex(4);
@@ -191,6 +190,27 @@ TEST_F(StationWindow, GoesBackAndKeepsWhatWasSailed) {
     const auto replayed = core::replay(**world, *after, after->endTick, [](auto&&...) {});
     EXPECT_TRUE(replayed) << replayed.error();
     EXPECT_EQ(db::RunRepository(*m_store->database()).list().size(), 2u);
+}
+
+TEST_F(StationWindow, GoesBackToTheVeryStart) {
+    RunRequest request;
+    request.scenario = "basic-navigation";
+    ASSERT_FALSE(m_station->openRun(request));
+    const auto first = core::stateHash(run().state());
+    run().give(0, core::HelmOrder{0.2});
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 1.2; }, 60'000));
+    ASSERT_EQ(run().goBack(0).value_or(""), "");
+    EXPECT_EQ(core::stateHash(run().state()), first);
+    EXPECT_TRUE(run().eventsFrom(0).empty());
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 2.2; }, 60'000));
+    const fs::path second = run().recording();
+    (void)run().end();
+    const auto after = core::readRecording(*files::readBinaryFile(second));
+    ASSERT_TRUE(after) << after.error();
+    const auto replayed = core::replay(*run().world(), *after, after->endTick, [](auto&&...) {});
+    EXPECT_TRUE(replayed) << replayed.error();
 }
 
 TEST_F(StationWindow, AnAssessmentDoesNotGoBack) {
@@ -271,11 +291,30 @@ TEST_F(StationWindow, TheWallIsStartedAndStoppedFromTheDesk) {
                status.channels[0].rate_Hz > 0.0;
     };
     ASSERT_TRUE(QTest::qWaitFor(inStep, 60'000)) << wall.status().trouble;
-    find<QDockWidget>("wall")->raise();
+    desk()->showPanel(QStringLiteral("wall"));
     keepPicture("desk-wall.png");
     QTest::mouseClick(find<QPushButton>("wall-start"), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !wall.status().running; }, 10'000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return layout->isEnabled(); }, 5'000));
+TEST_F(StationWindow, AShipThatIsAddedIsSeenInTheViews) {
+    openDesk();
+    const core::ShipMotion own = run().latest()->ships[0].motion;
+    core::AddTargetOrder order;
+    order.name = "Sea Star";
+    order.type = core::TargetType::Ferry;
+    order.position = own.position() + 130.0 * core::unitVector(own.heading_rad + 0.25);
+    order.heading_rad = own.heading_rad + 1.5;
+    order.speed_mps = 2.0;
+    order.length_m = 60.0;
+    order.beam_m = 12.0;
+    order.draught_m = 3.0;
+    run().give(0, order);
+    run().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->added.size() == 1; }, 10'000));
+    QTest::qWait(1500);  // some pictures
+    desk()->refresh();
+    EXPECT_TRUE(logSays(QStringLiteral("Sea Star appears")));
+    keepPicture("desk-added-ship.png");
 }
 
 TEST_F(StationWindow, AfterTheEndNothingCanBeOrdered) {

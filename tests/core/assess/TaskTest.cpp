@@ -6,7 +6,9 @@
 namespace sagara::core {
 namespace {
 
+using test::Judge;
 using test::Rubric;
+using test::terms;
 
 std::string task(const std::string& kindAndMore) {
     return R"({"id": "it", "title": "It", "kind": )" + kindAndMore + "}";
@@ -70,6 +72,19 @@ TEST(ClearOfBerthTask, IsAllLinesInAndTheDistance) {
     EXPECT_FALSE(doing.look());
     doing.now.linesOut = doing.now.linesFast = kHead;
     EXPECT_FALSE(doing.look());
+}
+
+TEST(TaskZones, SayWhereATaskIsToBeDone) {
+    const auto gate = Doing(R"("gate", "between": ["gate-west", "gate-east"])").it->zone();
+    ASSERT_TRUE(gate);
+    EXPECT_EQ(gate->kind, TaskZone::Kind::Gate);
+    EXPECT_EQ(gate->points.size(), 2u);
+    const auto transit = Doing(R"("transit", "to": "mark", "within_M": 0.2)").it->zone();
+    ASSERT_TRUE(transit);
+    EXPECT_EQ(transit->kind, TaskZone::Kind::Circle);
+    EXPECT_NEAR(transit->radius_m, 0.2 * kNauticalMile_m, 1e-9);
+    EXPECT_FALSE(Doing(R"("spring-off", "keep": ["spring"], "swing_deg": 12)").it->zone());
+    EXPECT_EQ(Judge(terms(R"("anchor-place", "at": "mark", "limit_m": 50)")).criterion->zones().size(), 1u);
 }
 
 /// The gate runs from 100 m west to 100 m east of the route, 500 m along it.

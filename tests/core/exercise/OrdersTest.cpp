@@ -55,6 +55,30 @@ TEST_F(Orders, EveryKindIsRead) {
     EXPECT_EQ(std::get<DifficultyOrder>(one(R"("order": "difficulty", "level": 4)")).level, 4);
     EXPECT_EQ(std::get<TriggerOrder>(one(R"("order": "event", "event": "rudder-jams")")).event, 2u);
     EXPECT_TRUE(std::holds_alternative<FinishOrder>(one(R"("order": "finish")")));
+    const auto note = std::get<NoteOrder>(one(R"("order": "note", "text": "Late", "bookmark": true)"));
+    EXPECT_EQ(note.text, "Late");
+    EXPECT_TRUE(note.bookmark);
+    EXPECT_EQ(std::get<ReportOrder>(one(R"("order": "report", "report": "manOverboard")")).kind,
+              ReportKind::ManOverboard);
+    const auto added = std::get<AddTargetOrder>(
+        one(R"("order": "addTarget", "name": "Sea Star", "type": "ferry", "at": {"lat": 6.0, "lon": 80.2},
+               "heading_deg": 90, "speed_kn": 8, "length_m": 40, "beam_m": 9, "draught_m": 2.5, "hostile": true,
+               "route": [{"at": {"lat": 6.01, "lon": 80.2}, "speed_kn": 6}])"));
+    EXPECT_EQ(added.type, TargetType::Ferry);
+    EXPECT_EQ(added.position, world->area.frame.toLocal({6.0, 80.2}));
+    EXPECT_TRUE(added.hostile);
+    EXPECT_NEAR(added.route.at(0).speed_mps, 6 * kKnot_mps, 1e-9);
+    const auto moved = std::get<MoveTargetOrder>(one(
+        R"("order": "moveTarget", "target": "coaster", "at": {"lat": 6.0, "lon": 80.2}, "heading_deg": 180)"));
+    EXPECT_EQ(moved.target, 0u);
+    const auto steered = std::get<SteerTargetOrder>(
+        one(R"("order": "steerTarget", "target": "added-2", "heading_deg": 180, "speed_kn": 5)"));
+    EXPECT_EQ(steered.target, world->targets.size() + 1);
+    const auto routed = std::get<RouteTargetOrder>(one(
+        R"("order": "routeTarget", "target": "coaster", "route": [{"at": {"lat": 6, "lon": 80}, "speed_kn": 5}])"));
+    EXPECT_EQ(routed.points.size(), 1u);
+    EXPECT_EQ(std::get<FreezeMotionOrder>(one(R"("order": "freeMotions", "free": ["surge", "yaw"])")).free,
+              33);
 }
 
 TEST_F(Orders, WrongOnesSayWhereAndWhatIsAccepted) {
@@ -66,6 +90,13 @@ TEST_F(Orders, WrongOnesSayWhereAndWhatIsAccepted) {
               "c.json: commands[0].rudder_deg is 99, expected -70 to 70 deg");
     EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 5, "speed": 3)"),
               "c.json: commands[0].speed is unknown, expected one of order, rudder_deg, time_s");
+    EXPECT_EQ(problems(R"("order": "steerTarget", "target": "added-33", "heading_deg": 1, "speed_kn": 5)")
+                  .rfind("c.json: commands[0].target is \"added-33\", expected one of coaster", 0),
+              0u);
+    EXPECT_EQ(problems(R"("order": "freeMotions", "free": ["jump"])"),
+              "c.json: commands[0].free names \"jump\", expected surge, sway, heave, roll, pitch, yaw");
+    EXPECT_EQ(problems("\"order\": \"note\", \"text\": \"" + std::string(501, 'x') + "\""),
+              "c.json: commands[0].text has 501 bytes, expected at most 500");
     EXPECT_NE(problems(R"("order": "dive")").find("is \"dive\", expected one of helm, telegraph"),
               std::string::npos);
     EXPECT_EQ(load(R"({"time_s": 9, "order": "finish"}, {"time_s": 3, "order": "finish"})").error().text(),

@@ -55,6 +55,7 @@ TEST(Codec, AFrameKeepsEveryNumberToTheBit) {
     EXPECT_EQ(f.snapshot.targets[1].activity, core::Activity::UnderWay);
     EXPECT_EQ(f.snapshot.targets[1].index, 5u);
     EXPECT_EQ(f.snapshot.targets[0].roll_rad, 0.02);
+    EXPECT_EQ(f.snapshot.added, frame.snapshot.added);
     EXPECT_EQ(f.snapshot.weather.swells, frame.snapshot.weather.swells);
     EXPECT_EQ(f.snapshot.weather.wind, frame.snapshot.weather.wind);
     EXPECT_EQ(f.snapshot.weather.exposure, core::Exposure::Ocean);
@@ -104,6 +105,9 @@ TEST(Codec, NumbersThatAreNoneOrBeyondReasonAreRefusedByName) {
               "Frame: line.length_m is -1.000000");
     EXPECT_EQ(frameWith([&](auto& s) { s.ships[0].anchors[0].cableOut_m = nan; }),
               "Frame: anchor.cableOut_m is nan");
+    EXPECT_EQ(frameWith([&](auto& s) { s.added[0].length_m = nan; }), "Frame: added.length_m is nan");
+    EXPECT_EQ(frameWith([&](auto& s) { s.added[0].type = static_cast<core::TargetType>(99); }),
+              "Frame: added.type is 99");
     EXPECT_EQ(frameWith([&](auto& s) { s.level = 9; }), "Frame: level is 9");
     EXPECT_EQ(reasonFor(Frame{1, {std::numeric_limits<std::int64_t>::min()}, test::busySnapshot()}),
               "Frame: the time is beyond all exercises");
@@ -116,6 +120,9 @@ TEST(Codec, ListsTooLongAreRefused) {
     frame.snapshot.targets.assign(513, {});
     EXPECT_EQ(reasonFor(frame), "Frame: 513 targets, at most 512 are accepted");
     frame.snapshot.targets.clear();
+    frame.snapshot.added.assign(33, frame.snapshot.added[0]);
+    EXPECT_EQ(reasonFor(frame), "Frame: 33 added targets, at most 32 are accepted");
+    frame.snapshot.added.clear();
     frame.snapshot.ships[0].lines.assign(9, {});
     EXPECT_EQ(reasonFor(frame), "Frame: 9 lines, at most 8 are accepted");
     // 60 000 empty entries: counted before a list is made of them.

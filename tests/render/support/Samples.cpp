@@ -24,6 +24,14 @@ core::Snapshot busySnapshot(std::int64_t tick) {
     s.ships = {ship};
     s.targets = {{2, {100.0, 200.0}, 0.1, 0.02, 0.03, 1.5, 7.0, 0.01, core::Activity::Trawling},
                  {5, {-100.0, 20.0}, 0, 0, 0, 4.0, 3.0, 0}};
+    core::TargetLayout added;
+    added.type = core::TargetType::Ferry;
+    added.activity = core::Activity::Restricted;
+    added.length_m = 61.5;
+    added.beam_m = 12.25;
+    added.draught_m = 3.5;
+    added.name = "Sea Star";
+    s.added = {added};
     s.weather.wind = {8.5, 0.8, 0.12};
     s.weather.exposure = core::Exposure::Ocean;
     s.weather.swells[0] = {1.0, 12.0, 1.0, 0.7, 30.0};

@@ -136,6 +136,11 @@ TEST_F(HostileStation, AFrameThatDoesNotFitTheExerciseIsNotDrawn) {
     EXPECT_FALSE(fitsWith([](auto& s) { s.ships[0].anchors.clear(); }));
     EXPECT_FALSE(fitsWith([](auto& s) { s.ships[0].lines.push_back({}); }));
     EXPECT_FALSE(fitsWith([](auto& s) { s.targets.push_back({}), s.targets.back().index = 99; }));
+    EXPECT_TRUE(fitsWith([&](auto& s) {
+        s.added.resize(1);
+        s.targets.push_back({});
+        s.targets.back().index = m_world->targets.size();
+    }));
 }
 
 }  // namespace

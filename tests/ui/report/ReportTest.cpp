@@ -91,6 +91,51 @@ TEST(Report, AFailedRunListsEveryDeductionWithItsValueLimitAndPlace) {
     }
 }
 
+TEST(Report, TheAssessorsCommentOverrulingAndSignatureArePrinted) {
+    RunReport run = failedRun();
+    run.assessor = AssessorNote{"Kept a good look-out.\nBrake earlier at waypoint 5.",
+                                AssessorNote::Overrule{72.0, true, "The squall came out of season."},
+                                "Commander A. Silva",
+                                {1800014400}};
+    const auto pages = soundPages(run, "overruled", 4);
+    expectText(pages, "PASSED");
+    expectText(pages, "assessor: 72 of 100");
+    expectText(pages, "This overrules the automatic result (not passed");
+    expectText(pages, "Reason: The squall came out of season.");
+    expectText(pages, "Brake earlier at waypoint 5.");
+    expectText(pages, "Commander A. Silva");
+    expectText(pages, "signed off in Sagara");
+    expectText(pages, "15 January 2027, 12:00 UTC");
+    EXPECT_EQ(joined(pages).find("NOT PASSED"), std::string::npos);
+}
+
+TEST(Report, ASignatureWithoutOverrulingConfirmsTheAutomaticResult) {
+    RunReport run = passedRun();
+    run.assessor = AssessorNote{"", {}, "A. Silva", {1800014400}};
+    const auto pages = soundPages(run, "signed", 4);
+    expectText(pages, "as graded automatically");
+    EXPECT_EQ(joined(pages).find("not yet competent"), std::string::npos);
+}
+
+TEST(Report, ACommentThatWasNotSignedLeavesRoomToSign) {
+    RunReport run = passedRun();
+    run.assessor = AssessorNote{"A draft.", {}, "", {}};
+    const auto pages = soundPages(run, "draft", 4);
+    expectText(pages, "A draft.");
+    expectText(pages, "not signed off");
+    expectText(pages, "Assessor: name and signature");
+}
+
+TEST(Report, ALongCommentRunsOverPages) {
+    RunReport run = passedRun();
+    std::string comment;
+    for (int i = 0; i < 40; ++i) comment += "Paragraph " + std::to_string(i) + ": " + kLongName + "\n";
+    run.assessor = AssessorNote{comment, {}, "A. Silva", {1800014400}};
+    const auto pdf = written(run, "long-comment");
+    EXPECT_GE(countedPages(pdf), 5u);
+    if (canReadPdf()) expectText(pagesOf(pdf), "Paragraph 39");
+}
+
 TEST(Report, AnEmptyReportIsStillADocument) {
     const auto pages = soundPages({}, "empty", 4);
     expectText(pages, "NOT PASSED");

@@ -1,0 +1,42 @@
+#include "app/station/BridgeLink.h"
+
+#include <QTimer>
+
+namespace sagara::station {
+namespace {
+
+constexpr int kSound_ms = 100;
+
+}  // namespace
+
+BridgeLink::BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::TraineeConsole& console,
+                       ui::ExerciseRun& run)
+    : QObject(&console), m_input(input), m_sound(sound), m_run(run) {
+    const core::Vessel& vessel = run.world()->ships[0]->vessel;
+    input.setShip({static_cast<int>(vessel.propulsion.units.size()), vessel.steering.limit_rad});
+    input.watchKeys(&console);
+    connect(&input, &ui::BridgeInput::helmWanted, &console, &ui::TraineeConsole::setHelm);
+    connect(&input, &ui::BridgeInput::telegraphWanted, &console, &ui::TraineeConsole::setTelegraph);
+    connect(&input, &ui::BridgeInput::hornWanted, &console, &ui::TraineeConsole::soundHorn);
+    connect(&input, &ui::BridgeInput::lookWanted, &console, &ui::TraineeConsole::look);
+    connect(&input, &ui::BridgeInput::acknowledgeWanted, &console, &ui::TraineeConsole::acknowledgeAlarms);
+    connect(&console, &ui::TraineeConsole::helmGiven, &input, &ui::BridgeInput::followHelm);
+    connect(&console, &ui::TraineeConsole::telegraphGiven, &input, &ui::BridgeInput::followTelegraph);
+    connect(&console, &ui::TraineeConsole::horn, this, [this](bool on) { m_heard.horn = on; });
+    connect(&console, &ui::TraineeConsole::alarm, this, [this](bool on) { m_heard.alarm = on; });
+    connect(&input, &ui::BridgeInput::bookmarkWanted, this, [&run] {
+        run.give(0, core::NoteOrder{"Marked by the trainee", true});
+    });
+    auto* const beat = new QTimer(this);
+    connect(beat, &QTimer::timeout, this, &BridgeLink::play);
+    beat->start(kSound_ms);
+}
+
+BridgeLink::~BridgeLink() { m_input.watchKeys(nullptr); }
+
+void BridgeLink::play() {
+    if (!m_run.running()) return;
+    m_sound.play(ui::soundSceneOf(*m_run.world(), *m_run.latest(), m_heard));
+}
+
+}  // namespace sagara::station

@@ -1,0 +1,40 @@
+#include "core/identify/CrashStop.h"
+
+#include "core/identify/TrialShip.h"
+
+namespace sagara::core {
+
+Trial runCrashStop(TrialShip& ship, const CrashStop& stop, const TrialOptions& options) {
+    Trial trial;
+    trial.title = "Stopping, " + std::string(telegraphStepName(stop.order));
+    const double length_m = trial.length_m = ship.vessel().hull.lengthBp_m;
+    const Approach approach = options.approach ? *options.approach : ship.fullAhead();
+    constexpr double kLongest_lengths = 120.0;
+    TrialRecord record(trial, options, approach, kLongest_lengths * length_m / approach.speed_mps);
+    ship.begin(approach);
+    ship.orderShafts(ship.vessel().propulsion.telegraph_rps[static_cast<std::size_t>(stop.order)]);
+    double track_m = 0.0;
+    bool stopped = false;
+    while (record.goesOn(ship, 1.0 - ship.motion().surge_mps / approach.speed_mps) &&
+           (options.duration_s || !stopped)) {
+        ship.step(options.step_s);
+        if (stopped) continue;
+        track_m += options.step_s * ship.speed_mps();
+        if (ship.motion().surge_mps > 0.0) continue;
+        stopped = true;
+        const TrialSample now = ship.sample();
+        trial.measures.push_back({"track_reach_over_L", track_m / length_m});
+        trial.measures.push_back({"head_reach_over_L", now.x_m / length_m});
+        trial.measures.push_back({"side_reach_over_L", now.y_m / length_m});
+        trial.measures.push_back({"stopping_time_s", now.time_s});
+    }
+    record.finish(ship);
+    return trial;
+}
+
+Trial runCrashStop(const Vessel& vessel, const CrashStop& stop, const TrialOptions& options) {
+    TrialShip ship(vessel);
+    return runCrashStop(ship, stop, options);
+}
+
+}  // namespace sagara::core

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/identify/Trial.h"
+#include "core/vessel/Vessel.h"
+
+namespace sagara::core {
+
+class TrialShip;
+
+/// Telegraph from ahead to astern, rudder amidships, until she is stopped in the water. Measures:
+/// track_reach_over_L, head_reach_over_L, side_reach_over_L (to starboard positive), stopping_time_s.
+struct CrashStop {
+    TelegraphStep order = TelegraphStep::FullAstern;
+};
+Trial runCrashStop(TrialShip& ship, const CrashStop& stop, const TrialOptions& options = {});
+Trial runCrashStop(const Vessel& vessel, const CrashStop& stop = {}, const TrialOptions& options = {});
+
+}  // namespace sagara::core

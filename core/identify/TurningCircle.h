@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/Units.h"
+#include "core/identify/Trial.h"
+#include "core/vessel/Vessel.h"
+
+namespace sagara::core {
+
+class TrialShip;
+
+/// Rudder over and held. Measures, with the turning side positive and midship as reference (MSC.137(76),
+/// ITTC free-running procedures): advance_over_L, transfer_over_L, t90_s at 90 deg, tactical_diameter_over_L,
+/// t180_s at 180 deg, max_advance_over_L, max_transfer_over_L, and over 360 deg to the end
+/// steady_diameter_over_L, steady_r_dps, steady_U_ms, steady_speed_ratio, steady_drift_deg (bow inside is
+/// positive); max_roll_deg and min_roll_deg with their own sign. L is between perpendiculars.
+struct TurningCircle {
+    double rudder_rad = 35.0 * kDegree_rad;  ///< positive to starboard
+    double turn_rad = 540.0 * kDegree_rad;   ///< heading change at which it ends
+};
+Trial runTurningCircle(TrialShip& ship, const TurningCircle& turn, const TrialOptions& options = {});
+Trial runTurningCircle(const Vessel& vessel, const TurningCircle& turn, const TrialOptions& options = {});
+
+}  // namespace sagara::core

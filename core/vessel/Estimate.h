@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "core/vessel/Particulars.h"
+#include "core/vessel/WageningenB.h"
+
+/// The steps from particulars to a vessel document: what each group is estimated by. Used by
+/// Particulars.cpp and its tests.
+namespace sagara::core::estimate {
+
+inline constexpr double kWater_kgpm3 = 1025.0;
+
+/// Form and stability.
+struct Form {
+    double length_m, lengthOverall_m, beam_m, draught_m, volume_m3, block;
+    double depth_m;
+    double freeboard_m;
+    double waterplane;       ///< Cwp = (1 + 2 Cb) / 3, Schneekluth and Bertram (1998), at least the kind's
+    double metacentric_m;    ///< GM: KB by Morrish, BM = (0.1216 Cwp - 0.0410) B^2 / (T Cb), KG by kind
+    double gravityHeight_m;  ///< KG
+    double rollGyradius_m;   ///< dry: IMO 2008 IS Code roll period, a sixth of the inertia being added water
+    double houseHeight_m;    ///< of the superstructure above the main deck
+    double mass_kg() const { return kWater_kgpm3 * volume_m3; }
+};
+Form formOf(const Particulars& p, const ShipKind& kind);
+
+/// Propeller, resistance and shaft speed that belong together: a B4 propeller of the best pitch takes 85 % of
+/// the power at the service speed and balances the resistance.
+struct Drive {
+    double diameter_m, wake, deduction;
+    BScrew screw;
+    double shaft_rps, advance;  ///< J at the service speed
+    double thrustEach_N;
+    double resistance_N;
+    std::array<double, 3> thrustCoefficients;  ///< parabola through KT at 0, J and 1.4 J
+    double addedRace() const;                  ///< 2 T / (rho disc) over the square of the ship's speed
+    double speed_mps;
+};
+Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form);
+/// ITTC 1957 line over the wetted surface of Denny and Mumford.
+double frictionalResistance_N(const Form& form, double speed_mps);
+
+/// Rudders: area by the DNV rule or as usual for the kind, lift by Fujii, wake and race by the MMG model at
+/// the service speed.
+struct Rudders {
+    double areaEach_m2;
+    double liftSlope_perRad;  ///< of free flow at the ship's speed, wake and hull taken in
+    double raceShare;
+    double yawLever_m;
+    std::vector<double> across_m;  ///< y of each
+};
+Rudders ruddersOf(const Particulars& p, const ShipKind& kind, const Form& form, const Drive& drive,
+                  const std::vector<double>& shafts_m);
+/// y of each shaft, port to starboard.
+std::vector<double> shaftsAcross_m(int count, double beam_m);
+
+/// Hull derivatives of Clarke, Gedling and Hine (1983), SI, speed taken out: Y_v v u and so on.
+struct Derivatives {
+    double Xudot, Yvdot, Yrdot, Nvdot, Nrdot;
+    double Yv, Yr, Nv, Nr;
+    double Xvr, Xvv;       ///< Hasegawa (1980); Yoshimura and Masumoto (2012)
+    double crossFlowDrag;  ///< Kijima et al. (1990): 2.5 T (1 - Cb) / B + 0.5
+};
+Derivatives derivativesOf(const Form& form);
+
+}  // namespace sagara::core::estimate

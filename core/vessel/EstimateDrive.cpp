@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Units.h"
+#include "core/vessel/Estimate.h"
+
+namespace sagara::core::estimate {
+namespace {
+
+constexpr double kServiceLoad = 0.85;
+constexpr double kShaftEfficiency = 0.97;
+
+/// Advance ratio at which KT / J^2 has this value: it falls without end as J grows.
+double advanceFor(const BScrew& screw, double loading) {
+    double low = 0.02, high = 1.6;
+    for (int i = 0; i < 60; ++i) {
+        const double J = 0.5 * (low + high);
+        (screw.thrustCoefficient(J) > loading * J * J ? low : high) = J;
+    }
+    return 0.5 * (low + high);
+}
+
+/// Keller's area ratio for this thrust on two decks of static head.
+double areaRatioFor(double thrust_N, double diameter_m, double draught_m, int shafts) {
+    const double pressure_Pa =
+        99047.0 + kWater_kgpm3 * kGravity_mps2 * std::max(0.5, draught_m - 0.5 * diameter_m);
+    const double ratio =
+        (1.3 + 0.3 * 4) * thrust_N / (pressure_Pa * diameter_m * diameter_m) + (shafts > 1 ? 0.1 : 0.2);
+    return std::clamp(ratio, 0.40, 1.05);
+}
+
+/// The propeller of best efficiency for a resistance; the power it takes is told.
+double power_W(Drive& d, const Particulars& p, const Form& form) {
+    const double inflow_mps = (1.0 - d.wake) * p.speed_mps;
+    d.thrustEach_N = d.resistance_N / ((1.0 - d.deduction) * p.shafts);
+    const double loading =
+        d.thrustEach_N / (kWater_kgpm3 * d.diameter_m * d.diameter_m * inflow_mps * inflow_mps);
+    d.screw.areaRatio = areaRatioFor(d.thrustEach_N, d.diameter_m, form.draught_m, p.shafts);
+    double best = -1.0, bestPitch = 0.5;
+    for (int i = 0; i <= 18; ++i) {
+        BScrew screw = d.screw;
+        screw.pitchRatio = 0.5 + 0.05 * i;
+        const double J = advanceFor(screw, loading);
+        const double efficiency = J / kTwoPi * screw.thrustCoefficient(J) / screw.torqueCoefficient(J);
+        if (efficiency > best) best = efficiency, bestPitch = screw.pitchRatio;
+    }
+    d.screw.pitchRatio = bestPitch;
+    d.advance = advanceFor(d.screw, loading);
+    d.shaft_rps = inflow_mps / (d.advance * d.diameter_m);
+    return kTwoPi * d.screw.torqueCoefficient(d.advance) * kWater_kgpm3 * std::pow(d.shaft_rps, 3) *
+           std::pow(d.diameter_m, 5) * p.shafts;
+}
+
+std::array<double, 3> parabola(const BScrew& screw, double J) {
+    const double a = screw.thrustCoefficient(0.0), b = screw.thrustCoefficient(J),
+                 c = screw.thrustCoefficient(1.4 * J);
+    const double slopeB = (b - a) / J, slopeC = (c - a) / (1.4 * J);
+    const double c2 = (slopeC - slopeB) / (0.4 * J);
+    return {a, slopeB - c2 * J, c2};
+}
+
+}  // namespace
+
+double Drive::addedRace() const {
+    const double disc_m2 = kPi / 4.0 * diameter_m * diameter_m;
+    return 2.0 * thrustEach_N / (kWater_kgpm3 * disc_m2 * speed_mps * speed_mps);
+}
+
+Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form) {
+    Drive d{};
+    d.speed_mps = p.speed_mps;
+    const bool single = p.shafts == 1;
+    // Kristensen and Luetzen (2013); twin screws are a little smaller.
+    const double usual_m = kind.fullForm ? 0.395 * form.draught_m + 1.30 : 0.623 * form.draught_m - 0.16;
+    d.diameter_m = p.propellerDiameter_m.value_or(
+        std::clamp(usual_m, 0.45 * form.draught_m, (single ? 0.75 : 0.70) * form.draught_m));
+    // Taylor (1933); Schoenherr.
+    d.wake = std::clamp(single ? 0.5 * form.block - 0.05 : 0.55 * form.block - 0.20, 0.02, 0.45);
+    d.deduction = single ? 0.6 * d.wake : 0.25 * d.wake + 0.10;
+    const double delivered_W = kServiceLoad * kShaftEfficiency * p.power_W;
+    double low_N = 1.0, high_N = delivered_W / p.speed_mps * 1.5;
+    for (int i = 0; i < 50; ++i) {
+        d.resistance_N = 0.5 * (low_N + high_N);
+        (power_W(d, p, form) < delivered_W ? low_N : high_N) = d.resistance_N;
+    }
+    d.thrustCoefficients = parabola(d.screw, d.advance);
+    return d;
+}
+
+std::vector<double> shaftsAcross_m(int count, double beam_m) {
+    std::vector<double> across;
+    const double spread_m = (count == 2 ? 0.50 : 0.60) * beam_m;
+    for (int i = 0; i < count; ++i)
+        across.push_back(count == 1 ? 0.0 : spread_m * (static_cast<double>(i) / (count - 1) - 0.5));
+    return across;
+}
+
+Rudders ruddersOf(const Particulars& p, const ShipKind& kind, const Form& f, const Drive& drive,
+                  const std::vector<double>& shafts_m) {
+    Rudders r{};
+    r.across_m = p.rudders == p.shafts ? shafts_m : shaftsAcross_m(p.rudders, f.beam_m);
+    const bool inRace = std::any_of(r.across_m.begin(), r.across_m.end(), [&](double y) {
+        return std::any_of(shafts_m.begin(), shafts_m.end(),
+                           [&](double shaft) { return std::abs(shaft - y) < 0.5 * drive.diameter_m; });
+    });
+    const double slenderness = f.beam_m / f.length_m;
+    double area_m2 = 0.01 * f.draught_m * f.length_m * (1.0 + 25.0 * slenderness * slenderness);
+    area_m2 = std::max(area_m2, kind.rudderShare * f.length_m * f.draught_m);
+    if (!inRace) area_m2 *= 1.3;  // DNV: where rudders do not work directly behind a propeller
+    r.areaEach_m2 = area_m2 / p.rudders;
+
+    constexpr double kAspect = 1.6, kShare = 0.5;  // height over chord; the race's part that has built up
+    const double hullShare = 0.6784 - 1.3374 * f.block + 1.8891 * f.block * f.block;  // aH, Kijima (1990)
+    const double fujii = 6.13 * kAspect / (kAspect + 2.25);
+    const double wake = inRace ? drive.wake : 0.5 * drive.wake;
+    r.liftSlope_perRad = fujii * (1.0 + hullShare) * (1.0 - wake) * (1.0 - wake);
+    if (inRace) {
+        const double covered = std::min(1.0, drive.diameter_m / std::sqrt(kAspect * r.areaEach_m2));
+        const double inflow2 = (1.0 - drive.wake) * (1.0 - drive.wake);
+        const double s = std::sqrt(1.0 + drive.addedRace() / inflow2);
+        const double built = 1.0 + kShare * (s - 1.0);
+        const double share = covered * (built * built - 1.0) / (s * s - 1.0);
+        constexpr double kHardOver = 0.7;  // a rudder hard over is partly out of the race
+        r.raceShare = std::min(1.5, kHardOver * share / inflow2);
+    }
+    r.yawLever_m = (0.5 + 0.45 * hullShare) / (1.0 + hullShare) * f.length_m;
+    return r;
+}
+
+}  // namespace sagara::core::estimate

@@ -1,0 +1,161 @@
+#include "core/vessel/EstimatedGroups.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Config.h"
+#include "core/base/Units.h"
+
+namespace sagara::core::estimate {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json marked(Json group, const std::string& source) {
+    group["source"] = source;
+    group["quality"] = "estimated";
+    return group;
+}
+
+Json hullGroup(const Form& f) {
+    return marked({{"lengthOverall_m", f.lengthOverall_m},
+                   {"lengthBp_m", f.length_m},
+                   {"beam_m", f.beam_m},
+                   {"draught_m", f.draught_m},
+                   {"depth_m", neat(f.depth_m)},
+                   {"displacement_m3", neat(f.volume_m3)},
+                   {"waterDensity_kgpm3", kWater_kgpm3},
+                   {"metacentricHeight_m", neat(f.metacentric_m)},
+                   {"waterplaneCoefficient", neat(f.waterplane)},
+                   {"rollGyradius_m", neat(f.rollGyradius_m)},
+                   {"pitchGyradius_m", neat(0.25 * f.length_m)}},
+                  "lengths, beam, draught and displacement as entered; depth and KG usual for the type; "
+                  "waterplane coefficient Schneekluth & Bertram 1998; GM with KB by Morrish and BM from the "
+                  "waterplane; roll gyradius from the roll period of the IMO 2008 IS Code; pitch gyradius "
+                  "0.25 Lpp");
+}
+
+Json propulsionGroup(const Particulars& p, const Form& f, const Drive& d,
+                     const std::vector<double>& across_m) {
+    static constexpr const char* kNames[4][4] = {
+        {"centre", "", "", ""},
+        {"port", "starboard", "", ""},
+        {"port", "centre", "starboard", ""},
+        {"port-outer", "port-inner", "starboard-inner", "starboard-outer"}};
+    const double full_rpm = d.shaft_rps / kRpm_rps;
+    const double ramp_s = std::clamp(0.25 * f.length_m, 8.0, 90.0);
+    Json units = Json::array();
+    for (std::size_t i = 0; i < across_m.size(); ++i) {
+        units.push_back(
+            {{"id", kNames[across_m.size() - 1][i]},
+             {"x_m", neat(-0.485 * f.length_m)},
+             {"y_m", neat(across_m[i])},
+             {"diameter_m", neat(d.diameter_m)},
+             {"thrustCoefficients",
+              {neat(d.thrustCoefficients[0]), neat(d.thrustCoefficients[1]), neat(d.thrustCoefficients[2])}},
+             {"wakeFraction", neat(d.wake)},
+             {"thrustDeduction", neat(d.deduction)},
+             {"asternThrustRatio", 0.65},
+             {"shaftRate_rpmps", neat(std::clamp(full_rpm / ramp_s, 0.2, 200.0))},
+             {"reversingTime_s", neat(std::clamp(0.06 * f.length_m, 2.0, 25.0))}});
+    }
+    const auto step = [&](double share) { return neat(share * full_rpm); };
+    const auto percent = [](double share) { return config::formatNumber(std::round(share * 100.0) / 100.0); };
+    return marked({{"units", units},
+                   {"telegraph_rpm",
+                    {{"fullAstern", step(-0.80)},
+                     {"halfAstern", step(-0.60)},
+                     {"slowAstern", step(-0.45)},
+                     {"deadSlowAstern", step(-0.32)},
+                     {"deadSlowAhead", step(0.32)},
+                     {"slowAhead", step(0.45)},
+                     {"halfAhead", step(0.68)},
+                     {"fullAhead", step(1.0)}}}},
+                  "Wageningen B4 propeller, AE/A0 " + percent(d.screw.areaRatio) + " by Keller, P/D " +
+                      percent(d.screw.pitchRatio) +
+                      " of best efficiency (Oosterveld & van Oossanen 1975), taking 85 % of " +
+                      config::formatNumber(std::round(1e-3 * p.power_W)) + " kW at " +
+                      percent(p.speed_mps / kKnot_mps) +
+                      " kn; wake Taylor 1933, thrust deduction Schoenherr; diameter " +
+                      (p.propellerDiameter_m ? "as entered" : "Kristensen & Luetzen 2013") +
+                      "; telegraph steps and engine rates usual for the size");
+}
+
+Json steeringGroup(const Form& f, const Rudders& r) {
+    Json rudders = Json::array();
+    for (const double y_m : r.across_m)
+        rudders.push_back({{"x_m", neat(-0.5 * f.length_m)}, {"y_m", neat(y_m)}});
+    return marked(
+        {{"rudders", rudders},
+         {"areaEach_m2", neat(r.areaEach_m2)},
+         {"liftSlope_perDeg", neat(r.liftSlope_perRad * kDegree_rad)},
+         {"stallAngle_deg", 35.0},
+         {"limit_deg", 35.0},
+         {"rate_degps", neat(std::clamp(240.0 / f.length_m, 2.4, 7.0))},
+         {"lag_s", 0.5},
+         {"raceShare", neat(r.raceShare)}},
+        "area by the DNV rule T L / 100 (1 + 25 (B/L)^2), more where usual for the type (Molland & Turnock "
+        "2007); lift slope Fujii for an aspect ratio of "
+        "1.6, with the wake and the hull's share (Kijima et al. 1990) taken in; race by the MMG model "
+        "at the service speed (Yasukawa & Yoshimura 2015), 0.7 of it, for a rudder hard over is partly out "
+        "of it; rate of SOLAS II-1/29 and above");
+}
+
+struct Windage {
+    double frontal_m2, lateral_m2, forward_m, height_m;
+};
+Windage windageOf(const ShipKind& kind, const Form& f) {
+    const double side_m2 = 0.97 * f.lengthOverall_m * f.freeboard_m,
+                 house_m2 = kind.superstructure * f.lengthOverall_m * f.houseHeight_m;
+    const double half = 0.5 * kind.superstructure;
+    const double middle = std::clamp(kind.bridge - half, -0.5 + half, 0.5 - half);
+    Windage w{};
+    w.frontal_m2 = f.beam_m * (f.freeboard_m + 0.85 * f.houseHeight_m);
+    w.lateral_m2 = side_m2 + house_m2;
+    w.forward_m = middle * f.lengthOverall_m * house_m2 / w.lateral_m2;
+    w.height_m =
+        (0.5 * f.freeboard_m * side_m2 + (f.freeboard_m + 0.5 * f.houseHeight_m) * house_m2) / w.lateral_m2;
+    return w;
+}
+
+}  // namespace
+
+double neat(double value) {
+    if (value == 0.0) return 0.0;
+    const double scale = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * scale) / scale;
+}
+
+Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const Drive& drive) {
+    const std::vector<double> shafts_m = shaftsAcross_m(p.shafts, f.beam_m);
+    const Rudders rudders = ruddersOf(p, kind, f, drive, shafts_m);
+    const Windage wind = windageOf(kind, f);
+    const double number = equipmentNumber(f, wind.lateral_m2);
+    Json document{{"document", "vessel"}, {"version", 1}, {"id", p.id}, {"name", p.name}, {"type", p.kind}};
+    document["bridgeEye"] = {{"x_m", neat(kind.bridge * f.lengthOverall_m)},
+                             {"y_m", 0.0},
+                             {"height_m", neat(std::clamp(f.freeboard_m + f.houseHeight_m, 1.5, 60.0))}};
+    document["hull"] = hullGroup(f);
+    document["model"] = modelGroup(f, drive, rudders);
+    document["seakeeping"] = marked({{"heaveAddedMassRatio", 1.0},
+                                     {"heaveDampingRatio", 0.3},
+                                     {"pitchAddedInertiaRatio", 1.0},
+                                     {"pitchDampingRatio", 0.3},
+                                     {"rollAddedInertiaRatio", 0.2},
+                                     {"rollDampingRatio", 0.06}},
+                                    "ratios usual for displacement hulls (Journee & Massie 2001, chapter 8)");
+    document["propulsion"] = propulsionGroup(p, f, drive, shafts_m);
+    document["steering"] = steeringGroup(f, rudders);
+    document["windage"] = marked({{"blendermannType", kind.blendermannType},
+                                  {"frontalArea_m2", neat(wind.frontal_m2)},
+                                  {"lateralArea_m2", neat(wind.lateral_m2)},
+                                  {"centroidForward_m", neat(wind.forward_m)},
+                                  {"centroidHeight_m", neat(wind.height_m)}},
+                                 "coefficients: Blendermann 1994; areas of the hull above water and of a "
+                                 "superstructure usual for the type and size");
+    document["mooring"] = mooringGroup(f, number);
+    document["groundTackle"] = groundTackleGroup(f, number);
+    return document;
+}
+
+}  // namespace sagara::core::estimate

@@ -1,0 +1,141 @@
+// The tables of fields against the loader: what they make it takes, and what it knows they have.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/exercise/Lesson.h"
+#include "ui/editor/ScenarioFields.h"
+
+namespace sagara::ui::editor {
+namespace {
+
+Json lesson() { return Json::parse(test::lessonText()); }
+
+std::string problemsWith(const std::string& path, Json value) {
+    Json document = lesson();
+    put(document, path, std::move(value));
+    return test::problemsOf(document.dump());
+}
+
+/// Whether a table has a field for every member of a value.
+void expectKnown(const std::vector<Field>& fields, const std::string& kindKey, const Json& value, const std::string& path) {
+    for (const auto& [key, member] : value.items()) {
+        const std::string at = join(path, key);
+        bool known = key == kindKey;
+        for (const Field& f : fields) {
+            if (f.key != key && !f.key.starts_with(key + ".")) continue;
+            known = true;
+            if (f.key == key && f.kind == FieldKind::List)
+                for (std::size_t i = 0; i < member.size(); ++i)
+                    expectKnown(f.list->fieldsOf(member[i]), f.list->kindKey, member[i], join(at, i));
+        }
+        EXPECT_TRUE(known) << at;
+    }
+}
+
+TEST(EditorTables, HaveAFieldForEveryMemberOfTheLesson) {
+    std::vector<Field> all;
+    for (const Section& s : scenarioSections())
+        for (const Field& f : s.fields) all.push_back(f);
+    Json document = lesson();
+    document.erase("document");
+    document.erase("version");
+    const Json mission = document["mission"];
+    expectKnown(all, {}, document, {});
+    std::vector<Field> ofMission;
+    for (Field f : all) {
+        if (!f.key.starts_with("mission.")) continue;
+        f.key = f.key.substr(8);
+        ofMission.push_back(f);
+    }
+    expectKnown(ofMission, {}, mission, "mission");
+}
+
+/// A new row, with names of the lesson where names are wanted.
+Json rowOf(const ListSpec& spec, const Variant& variant) {
+    Json row = initialRow(spec, &variant);
+    for (const Field& f : variant.fields) {
+        if (f.optional || f.kind == FieldKind::List) continue;
+        if (f.kind == FieldKind::Numbers && f.initial.is_null()) row[f.key] = Json::array({100, 100});
+        if (f.kind == FieldKind::References) {
+            row[f.key] = f.source == Source::Line ? Json::array({"head"})
+                                                  : Json::array({"s_breakwater_head", "w_breakwater_head"});
+        }
+        if (f.kind != FieldKind::Reference) continue;
+        switch (f.source) {
+            case Source::Place:
+                row[f.key] = "anch_ne_monsoon";
+                break;
+            case Source::Waypoint:
+                row[f.key] = 2;
+                break;
+            case Source::Line:
+                row[f.key] = "head";
+                break;
+            case Source::Anchor:
+                row[f.key] = "port";
+                break;
+            case Source::Target:
+                row[f.key] = "coaster";
+                break;
+            case Source::Event:
+                row[f.key] = "rain-squall";
+                break;
+            default:
+                ADD_FAILURE() << f.key;
+        }
+    }
+    for (const Field& f : spec.common)
+        if (f.key == "id") row["id"] = "new";
+    return row;
+}
+
+void expectEveryKindTaken(const ListSpec& spec, const std::string& path) {
+    for (const Variant& v : spec.variants) {
+        const Json row = rowOf(spec, v);
+        EXPECT_EQ(problemsWith(path, Json::array({row})), "") << v.value << " " << row.dump();
+        Json full = row;  // with all that may be said
+        for (const Field& f : v.fields)
+            if (f.optional && !f.initial.is_null()) put(full, f.key, f.initial);
+        const std::string problems = problemsWith(path, Json::array({full}));
+        EXPECT_EQ(problems.find("is unknown, expected one of"), problems.find(" is unknown, expected one of action"))
+            << v.value << ": " << problems;
+    }
+}
+
+TEST(EditorTables, MakeTasksTheLoaderTakes) { expectEveryKindTaken(taskList(), "mission.tasks"); }
+TEST(EditorTables, MakeCriteriaTheLoaderTakes) { expectEveryKindTaken(criterionList(), "mission.criteria"); }
+TEST(EditorTables, MakePilotStepsTheLoaderTakes) { expectEveryKindTaken(pilotList(), "pilot"); }
+
+TEST(EditorTables, MakeOrdersTheLoaderTakes) {
+    const ListSpec spec = orderList();
+    ASSERT_EQ(spec.variants.size(), 13u) << "kinds in OrderDocument.cpp";
+    for (const Variant& v : spec.variants) {
+        Json row = rowOf(spec, v);
+        if (v.value == "anchor") row["shackles"] = 3;
+        EXPECT_EQ(problemsWith("events[0].orders", Json::array({row})), "") << v.value << " " << row.dump();
+    }
+}
+
+TEST(EditorTables, HaveEveryKindTheLoaderKnows) {
+    const auto knownBy = [](const std::string& path, const std::string& key) {
+        const std::string problems = problemsWith(path, Json::array({Json{{"id", "x"}, {"title", "x"}, {"weight", 1}, {"points", 1}, {key, "?"}}}));
+        const std::size_t at = problems.find("one of ");
+        std::string list = problems.substr(at + 7);
+        return std::count(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(std::min(list.find('\n'), list.size())), ',') + 1;
+    };
+    EXPECT_EQ(knownBy("mission.tasks", "kind"), static_cast<std::ptrdiff_t>(taskList().variants.size()));
+    EXPECT_EQ(knownBy("mission.criteria", "kind"), static_cast<std::ptrdiff_t>(criterionList().variants.size()));
+    EXPECT_EQ(knownBy("pilot", "do"), static_cast<std::ptrdiff_t>(pilotList().variants.size()));
+}
+
+TEST(EditorTables, AnEmptyScenarioLacksOnlyTheWordsOfItsMission) {
+    const Json document = emptyScenario({"new", "New", "galle", "patrol51", 6.007185, 80.227506});
+    const std::string problems = test::problemsOf(document.dump());
+    EXPECT_EQ(std::count(problems.begin(), problems.end(), '\n'), 2) << problems;
+    for (const char* path : {"mission.objective", "mission.competenceCode", "mission.briefing"})
+        EXPECT_NE(problems.find(path), std::string::npos) << problems;
+}
+
+}  // namespace
+}  // namespace sagara::ui::editor

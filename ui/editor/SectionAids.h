@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/editor/EditorContext.h"
+
+class QComboBox;
+class QLabel;
+
+namespace sagara::ui::editor {
+
+/// VIEW above the weather's fields: the Beaufort scale, the sea that belongs to the wind, the tide at the start.
+class WeatherAid final : public QWidget {
+    Q_OBJECT
+public:
+    WeatherAid(EditorContext& context, QWidget* parent);
+
+private:
+    void load();
+    void take(int number);
+    EditorContext& m_context;
+    QComboBox* m_beaufort;
+    QLabel* m_says;
+};
+
+/// VIEW above the factors: what each level comes to.
+class LevelsAid final : public QWidget {
+    Q_OBJECT
+public:
+    LevelsAid(EditorContext& context, QWidget* parent);
+
+private:
+    void load();
+    EditorContext& m_context;
+    QLabel* m_says;
+};
+
+}  // namespace sagara::ui::editor

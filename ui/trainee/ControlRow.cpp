@@ -1,0 +1,117 @@
+#include "ui/trainee/ControlRow.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <algorithm>
+
+#include "ui/trainee/AnchorPanel.h"
+#include "ui/trainee/AutopilotPanel.h"
+#include "ui/trainee/Bearings.h"
+#include "ui/trainee/HelmWheel.h"
+#include "ui/trainee/LinePanel.h"
+#include "ui/trainee/ReportPanel.h"
+#include "ui/trainee/ShaftTelegraph.h"
+
+namespace sagara::ui::console {
+namespace {
+
+constexpr qint64 kOnItsWay_ms = 400;
+
+QWidget* scrolled(QWidget* inside) {
+    auto* const area = new QScrollArea;
+    area->setWidget(inside);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    return area;
+}
+
+}  // namespace
+
+ControlRow::ControlRow(ExerciseRun& run, std::size_t ship, QWidget* parent)
+    : QWidget(parent), m_run(run), m_ship(static_cast<std::uint8_t>(ship)) {
+    const core::Vessel& vessel = run.world()->ships[ship]->vessel;
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(3);
+    const auto& units = vessel.propulsion.units;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        auto* const telegraph =
+            new ShaftTelegraph(spokenName(units[i].id), vessel.propulsion.telegraph_rps, this);
+        telegraph->setObjectName(QStringLiteral("telegraph-%1").arg(i));
+        connect(telegraph, &ShaftTelegraph::ordered, this, [this, i](core::TelegraphStep step) {
+            m_lastOrder.start();
+            m_run.give(m_ship, core::TelegraphOrder{static_cast<std::uint8_t>(i), step});
+            Q_EMIT telegraphGiven(static_cast<int>(i), step);
+        });
+        row->addWidget(telegraph);
+        m_telegraphs.push_back(telegraph);
+    }
+    m_wheel = new HelmWheel(vessel.steering.limit_rad, this);
+    connect(m_wheel, &HelmWheel::ordered, this, &ControlRow::setHelm);
+    row->addWidget(m_wheel);
+    m_autopilot = new AutopilotPanel(run, m_ship, this);
+    row->addWidget(m_autopilot);
+    addDeck();
+    row->addWidget(m_deck, 1);
+}
+
+void ControlRow::addDeck() {
+    m_deck = new QTabWidget(this);
+    m_deck->setObjectName(QStringLiteral("deck"));
+    m_deck->setDocumentMode(true);
+    m_lines = new LinePanel(m_run, m_ship, this);
+    m_anchors = new AnchorPanel(m_run, m_ship, this);
+    m_bearings = new BearingList(this);
+    m_deck->addTab(scrolled(m_lines), tr("Lines"));
+    m_deck->addTab(scrolled(m_anchors), tr("Anchors"));
+    m_deck->addTab(m_bearings, tr("Bearings"));
+    m_deck->addTab(scrolled(new ReportPanel(m_run, m_ship, this)), tr("Report"));
+    if (m_run.world()->ships[m_ship]->lines.empty()) m_deck->setCurrentIndex(1);
+}
+
+void ControlRow::setColours(PaletteName name) {
+    for (Gauge* gauge : findChildren<Gauge*>()) gauge->setColours(name);
+}
+
+void ControlRow::setUnit(double unit) {
+    for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->setFixedWidth(static_cast<int>(124.0 * unit));
+    m_wheel->setFixedWidth(static_cast<int>(270.0 * unit));
+    m_autopilot->setFixedWidth(static_cast<int>(140.0 * unit));
+}
+
+void ControlRow::setHelm(double rudder_rad) {
+    m_lastOrder.start();
+    m_wheel->setOrder(rudder_rad);
+    m_run.give(m_ship, core::HelmOrder{rudder_rad});
+    Q_EMIT helmGiven(rudder_rad);
+}
+
+void ControlRow::setTelegraph(int shaft, core::TelegraphStep step) {
+    if (shaft >= 0 && static_cast<std::size_t>(shaft) < m_telegraphs.size())
+        m_telegraphs[static_cast<std::size_t>(shaft)]->moveTo(step);
+}
+
+void ControlRow::turnHelmBy(double rudder_rad) { m_wheel->turnTo(m_wheel->order_rad() + rudder_rad); }
+
+void ControlRow::midships() { m_wheel->turnTo(0.0); }
+
+void ControlRow::moveTelegraphs(int steps) {
+    for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->moveBy(steps);
+}
+
+void ControlRow::show(const core::Snapshot& now, const ShipReadings& readings) {
+    const core::OwnShipView& own = now.ships[m_ship];
+    const bool settled = !m_lastOrder.isValid() || (m_run.running() && m_lastOrder.elapsed() > kOnItsWay_ms);
+    m_wheel->setRudder(own.rudder_rad);
+    if (settled) m_wheel->setOrder(own.rudderOrder_rad);
+    for (std::size_t i = 0; i < std::min(m_telegraphs.size(), own.shafts_rps.size()); ++i) {
+        m_telegraphs[i]->setShaft(own.shafts_rps[i]);
+        if (settled) m_telegraphs[i]->setOrder(own.shaftOrders_rps[i]);
+    }
+    m_autopilot->show(own, readings);
+    m_lines->show(own);
+    m_anchors->show(own);
+}
+
+}  // namespace sagara::ui::console
