@@ -18,7 +18,7 @@ ui::DemoSettings settingsOf(run::Store& store, const DemoOptions& options) {
     settings.timing = options.timing;
     settings.fullScreen = options.fullScreen;
     const auto kept = settingsStore(store);
-    settings.pin = ui::storedPin(*kept);
+    settings.pin = ui::storedPin(*kept).toStdString();
     settings.chord = ui::storedChord(*kept);
     settings.log = qEnvironmentVariable("SAGARA_DEMO_LOG").toStdString();
     bool given = false;
