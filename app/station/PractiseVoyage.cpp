@@ -6,6 +6,7 @@
 
 #include "core/assess/Mission.h"
 #include "db/GradeRepository.h"
+#include "ui/chart/Format.h"
 #include "ui/practise/SailResultPage.h"
 
 namespace sagara::station {
@@ -129,10 +130,8 @@ ui::SailResult PractiseVoyage::resultOf(const run::RunSummary& s) const {
     for (const auto& loss : s.losses)
         result.losses.push_back({loss.time_s, q(loss.title),
                                  tr("%1 %2 %3, limit %4 %3")
-                                     .arg(q(loss.quantity))
-                                     .arg(loss.value, 0, 'f', 1)
-                                     .arg(q(loss.unit))
-                                     .arg(loss.limit, 0, 'f', 1),
+                                     .arg(q(loss.quantity), chart::shortNumber(loss.value, 2), q(loss.unit),
+                                          chart::shortNumber(loss.limit, 2)),
                                  loss.points, loss.fails});
     if (m_choice.person.empty() || !result.graded) return result;
     double best = -1.0;

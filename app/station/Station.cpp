@@ -12,6 +12,7 @@
 #include "app/station/DebriefDoor.h"
 #include "app/station/DeskPage.h"
 #include "app/station/Doors.h"
+#include "app/station/RosterDoor.h"
 #include "app/station/SettingsDoor.h"
 #include "ui/help/HelpWindow.h"
 #include "ui/settings/StoredSettings.h"
@@ -186,7 +187,7 @@ std::optional<std::string> Station::openRun(const RunRequest& request) {
 
 std::optional<std::string> Station::openDebrief(const std::filesystem::path& recording) {
     const auto page = debriefPage(*this, recording, [this, recording] {
-        if (ui::Page* const result = resultOf(*this, recording)) openPage(result);
+        openPage(resultPage(*this, recording));
     });
     if (!page) return page.error();
     openPage(page.value());

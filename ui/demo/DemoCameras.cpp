@@ -106,7 +106,7 @@ void aim(CameraRig& rig, const DemoCamera& camera, const core::World& world, con
             return;
         case DemoCameraKind::Chase:
             rig.kind = CameraKind::Chase;
-            rig.turn(0.35, -2.0 * kUnderBand_rad);  // a little from the side: she shows her length
+            rig.turn(0.35, -kUnderBand_rad);  // a little from the side: she shows her length
             return;
         case DemoCameraKind::Wing:
             rig.kind = camera.port ? CameraKind::WingPort : CameraKind::WingStarboard;

@@ -178,16 +178,17 @@ void DemoOverlay::paintGuide(QPainter& painter) const {
         painter.setPen(colour);
         painter.drawText(
             QRectF(frame.left() + 3.0 * u, frame.top() + top * u, frame.width() - 6.0 * u, high * u),
-            align | Qt::AlignVCenter, text);
+            align | Qt::AlignVCenter,
+            QFontMetricsF(f).elidedText(text, Qt::ElideRight, frame.width() - 6.0 * u));
     };
     const ThemeColours& c = colours();
     line(1.5, 7.0, tr("You have the helm"), font(4.6, true), c.text, Qt::AlignLeft);
     line(1.5, 7.0, minutes(m_shown.guide->left_s), font(4.6, true), c.text, Qt::AlignRight);
     line(8.0, 4.5, m_shown.guide->next, font(3.2), c.text, Qt::AlignLeft);
     line(49.0, 4.0, tr("Rudder"), font(3.0), c.quietText, Qt::AlignLeft);
-    line(53.0, 6.0, m_shown.guide->rudder, font(4.2, true), c.text, Qt::AlignLeft);
+    line(53.0, 6.0, m_shown.guide->rudder, font(3.5, true), c.text, Qt::AlignLeft);
     line(49.0, 4.0, tr("Engine"), font(3.0), c.quietText, Qt::AlignRight);
-    line(53.0, 6.0, m_shown.guide->engine, font(4.2, true), c.text, Qt::AlignRight);
+    line(53.0, 6.0, m_shown.guide->engine, font(3.5, true), c.text, Qt::AlignRight);
 }
 
 void DemoOverlay::layOutButtons() {

@@ -21,7 +21,7 @@ struct DemoShown {
         double left_s = 0.0;
         QString rudder;
         QString engine;
-        QString next;  ///< "271°, 1.20 M to Into the sea"
+        QString next;  ///< "Steer 271° to “Into the sea”"
     };
     std::optional<Guide> guide;
     struct Verdict {

@@ -284,10 +284,9 @@ void DemoPage::caption() {
     shown.invites = m_director.phase() == DemoDirector::Phase::Attract;
     if (m_director.phase() == DemoDirector::Phase::Helm) {
         const QString next = m_hints.waypoint
-                                 ? tr("Steer %1° to %2, %3")
+                                 ? tr("Steer %1° to “%2”")
                                        .arg(chart::bearing(m_hints.waypoint->bearing_rad / core::kDegree_rad),
-                                            QString::fromStdString(m_hints.waypoint->name),
-                                            demoDistance(m_hints.waypoint->distance_m))
+                                            QString::fromStdString(m_hints.waypoint->name))
                                  : tr("Steer where you like");
         shown.guide = {m_director.helmLeft_s(), demoRudder(m_helm.rudder_rad()), demoEngine(m_helm.step()),
                        next};

@@ -24,7 +24,7 @@ QString stepText(const core::PilotStep& step, const Hints& hints) {
     if (std::holds_alternative<core::TurnStep>(step))
         return tr("She turns on the spot, one engine ahead, one astern");
     if (std::holds_alternative<core::AnchorStep>(step)) return tr("Going to anchor");
-    if (hints.waypoint) return tr("On the way to %1").arg(name(hints.waypoint->name));
+    if (hints.waypoint) return tr("On the way to “%1”").arg(name(hints.waypoint->name));
     return tr("On passage");
 }
 
@@ -59,12 +59,12 @@ QString demoHappening(const core::World& world, const core::State& state, const 
     if (state.ships[0].aground) return tr("Aground");
     if (pilot.engaged && pilot.step < world.pilot.size()) return stepText(world.pilot[pilot.step], hints);
     if (state.tick == 0 && !world.pilot.empty()) return stepText(world.pilot[0], hints);
-    if (hints.waypoint) return tr("On the way to %1").arg(name(hints.waypoint->name));
+    if (hints.waypoint) return tr("On the way to “%1”").arg(name(hints.waypoint->name));
     return tr("Under way");
 }
 
 DemoCaption demoCaption(const core::World& world, const core::State& state, const core::Snapshot& now,
-                      const Hints& hints) {
+                        const Hints& hints) {
     DemoCaption caption;
     caption.title = demoHappening(world, state, hints);
     if (now.ships.empty()) return caption;

@@ -25,7 +25,7 @@ struct DemoCaption {
 /// What the pilot is doing now: "On the way to Entrance".
 QString demoHappening(const core::World& world, const core::State& state, const Hints& hints);
 DemoCaption demoCaption(const core::World& world, const core::State& state, const core::Snapshot& now,
-                      const Hints& hints);
+                        const Hints& hints);
 QString demoCamera(const core::World& world, const DemoCamera& camera);
 /// "Starboard 10°", "Midships".
 QString demoRudder(double rudder_rad);

@@ -64,7 +64,8 @@ std::vector<SailPlace::Line> linesTo(const core::Berth& berth, const core::Vesse
     std::vector<core::Fairlead> side;
     for (const core::Fairlead& fairlead : vessel.mooring.fairleads)
         if (fairlead.position.y_m < 0.0) side.push_back(fairlead);
-    std::sort(side.begin(), side.end(), [](const auto& a, const auto& b) { return a.position.x_m > b.position.x_m; });
+    std::sort(side.begin(), side.end(),
+              [](const auto& a, const auto& b) { return a.position.x_m > b.position.x_m; });
     if (side.size() < 2) return {};
     const core::HeadingFrame frame(midship, heading_rad);
     const double length_m = vessel.hull.lengthOverall_m;

@@ -48,7 +48,8 @@ FreeSailPanel::FreeSailPanel(const PractisePorts& ports, QWidget* parent)
     fill(m_areas, ports.areas);
     m_traffic->addItem(tr("No other ships"), QString());
     for (const PractiseEntry& lesson : ports.lessons)
-        m_traffic->addItem(tr("As in %1").arg(QString::fromStdString(lesson.name)), QString::fromStdString(lesson.id));
+        m_traffic->addItem(tr("As in %1").arg(QString::fromStdString(lesson.name)),
+                           QString::fromStdString(lesson.id));
     m_heading->setObjectName(QStringLiteral("heading"));
     m_heading->setRange(0, 359);
     m_heading->setWrapping(true);
@@ -80,7 +81,8 @@ FreeSailPanel::FreeSailPanel(const PractisePorts& ports, QWidget* parent)
     connect(m_ship, &QComboBox::currentIndexChanged, this, [this] { readVessel(); });
     connect(m_areas, &QComboBox::currentIndexChanged, this, [this] { readArea(); });
     connect(m_placeBox, &QComboBox::currentIndexChanged, this, [this] { showPlace(); });
-    for (QSpinBox* box : {m_heading, m_speed}) connect(box, &QSpinBox::valueChanged, this, &FreeSailPanel::changed);
+    for (QSpinBox* box : {m_heading, m_speed})
+        connect(box, &QSpinBox::valueChanged, this, &FreeSailPanel::changed);
     connect(m_traffic, &QComboBox::currentIndexChanged, this, &FreeSailPanel::changed);
     readVessel();
     readArea();
@@ -136,7 +138,8 @@ void FreeSailPanel::listPlaces() {
 
 const SailPlace* FreeSailPanel::place() const {
     const int at = m_placeBox->currentIndex();
-    return at >= 0 && at < static_cast<int>(m_places.size()) ? &m_places[static_cast<std::size_t>(at)] : nullptr;
+    return at >= 0 && at < static_cast<int>(m_places.size()) ? &m_places[static_cast<std::size_t>(at)]
+                                                             : nullptr;
 }
 
 void FreeSailPanel::showPlace() {
@@ -154,7 +157,9 @@ void FreeSailPanel::showPlace() {
         m_note->setText(tr("%1 m of water at chart datum, she draws %2 m (modelled depths).%3")
                             .arg(chosen->depth_m, 0, 'f', 1)
                             .arg(m_vessel->hull.draught_m, 0, 'f', 1)
-                            .arg(chosen->alongside() ? tr(" She lies port side to, on %1 lines.").arg(chosen->lines.size()) : QString()));
+                            .arg(chosen->alongside()
+                                     ? tr(" She lies port side to, on %1 lines.").arg(chosen->lines.size())
+                                     : QString()));
     Q_EMIT changed();
 }
 
@@ -179,10 +184,10 @@ QString FreeSailPanel::words() const {
     const SailPlace* const chosen = place();
     if (chosen == nullptr || !m_vessel) return m_note->text().toHtmlEscaped();
     const core::Hull& hull = m_vessel->hull;
-    const QString start =
-        chosen->alongside()
-            ? tr("alongside, port side to the quay")
-            : tr("heading %1°T at %2 kn").arg(m_heading->value(), 3, 10, QLatin1Char('0')).arg(m_speed->value());
+    const QString start = chosen->alongside() ? tr("alongside, port side to the quay")
+                                              : tr("heading %1°T at %2 kn")
+                                                    .arg(m_heading->value(), 3, 10, QLatin1Char('0'))
+                                                    .arg(m_speed->value());
     return tr("<h2>Free sailing</h2><p>The sea to yourself: no task, no limits, nothing is graded.</p>"
               "<h3>%1</h3><p>%2 m long, %3 m wide, draught %4 m.</p><h3>%5</h3><p>%6; %7 m of water.</p>"
               "<p><i>%8</i></p>")

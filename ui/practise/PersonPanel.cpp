@@ -103,7 +103,8 @@ QString PersonPanel::problem() const { return person().empty() ? QString() : m_p
 QString PersonPanel::bestOf(const std::string& scenario) const {
     const PastRun* best = nullptr;
     for (const PastRun& run : m_past)
-        if (run.graded && run.scenario == scenario && (best == nullptr || run.score > best->score)) best = &run;
+        if (run.graded && run.scenario == scenario && (best == nullptr || run.score > best->score))
+            best = &run;
     if (best == nullptr) return {};
     return tr("Your best here: %1 of 100 at level %2, %3, %4")
         .arg(best->score, 0, 'f', 0)
@@ -135,9 +136,14 @@ void PersonPanel::look() {
     m_runs->setRowCount(static_cast<int>(m_past.size()));
     for (int row = 0; row < m_runs->rowCount(); ++row) {
         const PastRun& run = m_past[static_cast<std::size_t>(row)];
-        const QString score = !run.graded ? tr("none") : tr("%1 %2").arg(run.score, 0, 'f', 0).arg(run.passed ? tr("✓") : QString());
+        const QString score =
+            !run.graded ? tr("none")
+                        : tr("%1 %2").arg(run.score, 0, 'f', 0).arg(run.passed ? tr("✓") : QString());
         put(m_runs, row, {run.name, run.when, score.trimmed()},
-            tr("%1, %2, level %3%4").arg(run.name, run.type).arg(run.level).arg(run.graded && run.passed ? tr(", passed") : QString()));
+            tr("%1, %2, level %3%4")
+                .arg(run.name, run.type)
+                .arg(run.level)
+                .arg(run.graded && run.passed ? tr(", passed") : QString()));
     }
     m_assignments->setVisible(!m_given.empty());
     m_noAssignments->setVisible(m_given.empty());

@@ -39,9 +39,10 @@ QString briefing(const core::World& world) {
     text += QStringLiteral("<h3>%1</h3><ul>")
                 .arg(PractisePage::tr("Points are lost for (%1 of 100 to pass)").arg(m.passScore, 0, 'f', 0));
     for (const auto& criterion : m.criteria)
-        text += QStringLiteral("<li>%1%2</li>")
-                    .arg(html(criterion->terms().title),
-                         criterion->terms().fails ? PractisePage::tr(" (a breach fails the run)") : QString());
+        text +=
+            QStringLiteral("<li>%1%2</li>")
+                .arg(html(criterion->terms().title),
+                     criterion->terms().fails ? PractisePage::tr(" (a breach fails the run)") : QString());
     return text + QStringLiteral("</ul><p><i>%1</i></p>").arg(html(world.area.notice));
 }
 
@@ -240,7 +241,8 @@ void PractisePage::takeLessonWeather() {
 
 void PractisePage::showPreview() {
     if (m_ports.lessons.empty() && !free())
-        m_preview->setHtml(tr("<p>There are no lessons yet. A trainer makes them under Teach; meanwhile sail freely.</p>"));
+        m_preview->setHtml(
+            tr("<p>There are no lessons yet. A trainer makes them under Teach; meanwhile sail freely.</p>"));
     else if (free())
         m_preview->setHtml(m_free->words());
     else

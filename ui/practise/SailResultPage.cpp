@@ -61,7 +61,10 @@ QTableWidgetItem* cell(const QString& text, bool right = false) {
 double SailResultPage::replayFrom_s(double loss_s) { return std::max(0.0, loss_s - kBefore_s); }
 
 SailResultPage::SailResultPage(SailResult result, Ports ports, QWidget* parent)
-    : Page(parent), m_result(std::move(result)), m_ports(std::move(ports)), m_trouble(words({}, 1.0, true, this)) {
+    : Page(parent),
+      m_result(std::move(result)),
+      m_ports(std::move(ports)),
+      m_trouble(words({}, 1.0, true, this)) {
     setObjectName(QStringLiteral("sail-result"));
     setWindowTitle(tr("Result: %1").arg(m_result.name));
     m_trouble->setObjectName(QStringLiteral("trouble"));
@@ -93,14 +96,16 @@ SailResultPage::SailResultPage(SailResult result, Ports ports, QWidget* parent)
         buttons->addWidget(made);
         return made;
     };
-    button(tr("Replay all of it"), QStringLiteral("replay-all"), tr("The debriefing of this run from its start"),
+    button(tr("Replay all of it"), QStringLiteral("replay-all"),
+           tr("The debriefing of this run from its start"),
            [this] { run([this] { return m_ports.replay(0.0); }); })
         ->setEnabled(!m_result.recording.empty());
     buttons->addStretch();
     button(tr("Sail again"), QStringLiteral("again"), tr("The same exercise from its start, as a new run"),
            [this] { run(m_ports.again); });
-    button(tr("Done"), QStringLiteral("done"), tr("Back to the choice (Esc)"), [this] { Q_EMIT leaveWanted(); })
-        ->setProperty("primary", true);
+    button(tr("Done"), QStringLiteral("done"), tr("Back to the choice (Esc)"), [this] {
+        Q_EMIT leaveWanted();
+    })->setProperty("primary", true);
     layout->addLayout(buttons);
 }
 
@@ -128,7 +133,8 @@ QWidget* SailResultPage::head() {
     if (m_result.graded && !m_result.passed && !m_result.whyNot.isEmpty())
         layout->addWidget(words(m_result.whyNot, 1.0, false, box));
     if (m_result.graded)
-        layout->addWidget(words(tr("Self-study: the score is automatic, for yourself, and never a grade."), 1.0, false, box));
+        layout->addWidget(words(tr("Self-study: the score is automatic, for yourself, and never a grade."),
+                                1.0, false, box));
     if (!m_result.best.isEmpty()) {
         QLabel* const best = words(m_result.best, 1.0, true, box);
         best->setObjectName(QStringLiteral("result-best"));
@@ -138,7 +144,8 @@ QWidget* SailResultPage::head() {
 }
 
 QTableWidget* SailResultPage::taskTable() {
-    QTableWidget* const made = table(QStringLiteral("result-tasks"), {tr("Task"), tr("Done at (min:s)")}, this);
+    QTableWidget* const made =
+        table(QStringLiteral("result-tasks"), {tr("Task"), tr("Done at (min:s)")}, this);
     for (const SailResult::Task& task : m_result.tasks) {
         const int row = made->rowCount();
         made->insertRow(row);
@@ -153,7 +160,8 @@ QTableWidget* SailResultPage::taskTable() {
 
 QTableWidget* SailResultPage::lossTable() {
     QTableWidget* const made =
-        table(QStringLiteral("result-losses"), {tr("At (min:s)"), tr("Limit"), tr("What happened"), tr("Points"), {}}, this);
+        table(QStringLiteral("result-losses"),
+              {tr("At (min:s)"), tr("Limit"), tr("What happened"), tr("Points"), {}}, this);
     for (const SailResult::Loss& loss : m_result.losses) {
         const int row = made->rowCount();
         made->insertRow(row);
@@ -170,7 +178,8 @@ QTableWidget* SailResultPage::lossTable() {
         });
         made->setCellWidget(row, 4, replay);
     }
-    for (const int column : {0, 1, 3}) made->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    for (const int column : {0, 1, 3})
+        made->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     made->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
     made->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Fixed);
     made->setColumnWidth(4, 110);

@@ -29,7 +29,8 @@ WeatherPanel::WeatherPanel(QWidget* parent)
       m_visibility(new QDoubleSpinBox(this)),
       m_rain(new QComboBox(this)),
       m_time(new QTimeEdit(this)) {
-    const auto whole = [](QSpinBox* box, const char* name, int low, int high, const QString& unit, const QString& tip) {
+    const auto whole = [](QSpinBox* box, const char* name, int low, int high, const QString& unit,
+                          const QString& tip) {
         box->setObjectName(QString::fromLatin1(name));
         box->setRange(low, high);
         box->setSuffix(unit);
@@ -44,7 +45,8 @@ WeatherPanel::WeatherPanel(QWidget* parent)
         box->setWrapping(true);
         box->setPrefix(tr("from "));
     }
-    const auto broken = [](QDoubleSpinBox* box, const char* name, double low, double high, const QString& unit, const QString& tip) {
+    const auto broken = [](QDoubleSpinBox* box, const char* name, double low, double high,
+                           const QString& unit, const QString& tip) {
         box->setObjectName(QString::fromLatin1(name));
         box->setRange(low, high);
         box->setDecimals(1);
@@ -53,7 +55,8 @@ WeatherPanel::WeatherPanel(QWidget* parent)
         box->setToolTip(tip);
         box->setAccessibleName(tip);
     };
-    broken(m_swell, "swell", 0.0, 6.0, tr(" m"), tr("Significant height of the swell, 0 to 6 m; the wind raises its own sea"));
+    broken(m_swell, "swell", 0.0, 6.0, tr(" m"),
+           tr("Significant height of the swell, 0 to 6 m; the wind raises its own sea"));
     broken(m_visibility, "visibility", 0.1, 20.0, tr(" M"), tr("Visibility, 0.1 to 20 nautical miles"));
     m_rain->setObjectName(QStringLiteral("rain"));
     m_rain->setToolTip(tr("How hard it rains"));
@@ -81,7 +84,8 @@ WeatherPanel::WeatherPanel(QWidget* parent)
 
     for (QSpinBox* box : {m_wind, m_windFrom, m_period, m_swellFrom})
         connect(box, &QSpinBox::valueChanged, this, &WeatherPanel::changed);
-    for (QDoubleSpinBox* box : {m_swell, m_visibility}) connect(box, &QDoubleSpinBox::valueChanged, this, &WeatherPanel::changed);
+    for (QDoubleSpinBox* box : {m_swell, m_visibility})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &WeatherPanel::changed);
     connect(m_rain, &QComboBox::currentIndexChanged, this, &WeatherPanel::changed);
     connect(m_time, &QTimeEdit::timeChanged, this, &WeatherPanel::changed);
     setWeather({});

@@ -8,12 +8,13 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "FakeFrame.h"
 #include "app/files/BuildScenario.h"
 #include "app/station/DemoDoor.h"
 #include "app/station/DemoRun.h"
 #include "db/PersonRepository.h"
 #include "db/RunRepository.h"
-#include "FakeFrame.h"
+#include "db/SettingRepository.h"
 #include "ui/demo/DemoPage.h"
 
 namespace sagara::station {
@@ -125,7 +126,8 @@ TEST_F(Demo, EveryResetIsTheSameFirstStateToTheByteAndTakesNoMemory) {
     const std::int64_t growth_kB = ui::residentMemory_kB() - settled_kB;
     EXPECT_LE(growth_kB, 5 * 1024) << "over " << kResets - kSettledAfter << " resets";
     RecordProperty("growth_kB", static_cast<int>(growth_kB));
-    std::printf("growth over %d resets: %lld kB\n", kResets - kSettledAfter, static_cast<long long>(growth_kB));
+    std::printf("growth over %d resets: %lld kB\n", kResets - kSettledAfter,
+                static_cast<long long>(growth_kB));
 }
 
 TEST_F(Demo, NothingIsWrittenToRosterRunsOrRecordings) {
@@ -143,7 +145,7 @@ TEST_F(Demo, NothingIsWrittenToRosterRunsOrRecordings) {
 }
 
 TEST_F(Demo, OnlyChordAndPinLeaveIt) {
-    Settings(store()).put("demo.pin", "2580");
+    db::SettingRepository(*store().database()).put("demo.pin", "2580");
     auto* const page = open();
     bool left = false;
     QObject::connect(page, &ui::Page::leaveWanted, page, [&] { left = true; });
@@ -161,7 +163,8 @@ TEST_F(Demo, OnlyChordAndPinLeaveIt) {
     EXPECT_FALSE(page->findChild<QPushButton*>(QStringLiteral("pin-2"))->isEnabled()) << "a wrong PIN waits";
     pass(*page, 3.5);
     for (const char digit : std::string("2580"))
-        QTest::mouseClick(page->findChild<QPushButton*>(QStringLiteral("pin-%1").arg(QLatin1Char(digit))), Qt::LeftButton);
+        QTest::mouseClick(page->findChild<QPushButton*>(QStringLiteral("pin-%1").arg(QLatin1Char(digit))),
+                          Qt::LeftButton);
     EXPECT_TRUE(left);
     EXPECT_TRUE(page->mayLeave());
 }
@@ -182,7 +185,8 @@ TEST_F(Demo, AJoystickMayComeAndGo) {
     page->beat(0.1);
     stick->rudder = 1.0;
     page->beat(0.1);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return page->run().latest()->ships[0].rudderOrder_rad > 0.5; }, 10'000));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return page->run().latest()->ships[0].rudderOrder_rad > 0.5; }, 10'000));
     stick.reset();  // pulled out
     pass(*page, 61.0);
     EXPECT_EQ(page->director().phase(), Phase::Attract);
@@ -209,11 +213,14 @@ TEST_F(Demo, PicturesInDayAndNight) {
     if (qEnvironmentVariableIsEmpty("SAGARA_UI_PICTURES")) GTEST_SKIP() << "nobody looks";
     withStage();
     for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)})
-        for (const auto& [palette, name] : {std::pair{ui::PaletteName::Day, "day"}, {ui::PaletteName::Night, "night"}}) {
+        for (const auto& [palette, name] :
+             {std::pair{ui::PaletteName::Day, "day"}, {ui::PaletteName::Night, "night"}}) {
             setColours(palette);
             window().resize(size);
             const auto keep = [&](const char* what) {
-                keepPicture(QStringLiteral("demo-%1-%2-%3.png").arg(QLatin1String(what), QLatin1String(name)).arg(size.width()));
+                keepPicture(QStringLiteral("demo-%1-%2-%3.png")
+                                .arg(QLatin1String(what), QLatin1String(name))
+                                .arg(size.width()));
             };
             auto* const page = open();
             ASSERT_TRUE(QTest::qWaitFor([&] { return page->figures().frames > 8; }, 60'000));

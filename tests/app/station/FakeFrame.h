@@ -8,7 +8,6 @@
 #include <QTest>
 
 #include "app/station/Frame.h"
-#include "app/station/Settings.h"
 #include "ui/theme/Theme.h"
 
 namespace sagara::station {

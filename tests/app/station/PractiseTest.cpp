@@ -14,10 +14,10 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "FakeFrame.h"
 #include "app/station/PractiseDoor.h"
 #include "db/AssignmentRepository.h"
 #include "db/RunRepository.h"
-#include "FakeFrame.h"
 #include "ui/hints/HintsPanel.h"
 #include "ui/practise/PractisePage.h"
 #include "ui/practise/SailResultPage.h"
@@ -44,7 +44,8 @@ protected:
         ways.console = [this](ui::ExerciseRun& run, const PractiseOptions& options) {
             return m_console = new SmallConsole(run, options);
         };
-        ways.debrief = [this](const std::filesystem::path& recording, double time_s) -> std::optional<std::string> {
+        ways.debrief = [this](const std::filesystem::path& recording,
+                              double time_s) -> std::optional<std::string> {
             m_debriefed = {recording, time_s};
             return std::nullopt;
         };
@@ -74,7 +75,8 @@ protected:
     }
     ui::SailResultPage* result() {
         ui::SailResultPage* page = nullptr;
-        EXPECT_TRUE(QTest::qWaitFor([&] { return (page = frame().page<ui::SailResultPage>()) != nullptr; }, 20'000));
+        EXPECT_TRUE(
+            QTest::qWaitFor([&] { return (page = frame().page<ui::SailResultPage>()) != nullptr; }, 20'000));
         return page;
     }
 
@@ -187,18 +189,22 @@ TEST_F(Practise, ANameThatIsNoneSaysWhyAndKeepsTheShipInPort) {
 TEST_F(Practise, PicturesInDayAndNight) {
     if (qEnvironmentVariableIsEmpty("SAGARA_UI_PICTURES")) GTEST_SKIP() << "nobody looks";
     for (const QSize size : {QSize(1280, 680), QSize(1920, 1040)})
-        for (const auto& [palette, name] : {std::pair{ui::PaletteName::Day, "day"}, {ui::PaletteName::Night, "night"}}) {
+        for (const auto& [palette, name] :
+             {std::pair{ui::PaletteName::Day, "day"}, {ui::PaletteName::Night, "night"}}) {
             setColours(palette);
             window().resize(size);
             open();
             ASSERT_TRUE(ready());
             const auto keep = [&](const char* what) {
-                keepPicture(QStringLiteral("practise-%1-%2-%3.png").arg(QLatin1String(what), QLatin1String(name)).arg(size.width()));
+                keepPicture(QStringLiteral("practise-%1-%2-%3.png")
+                                .arg(QLatin1String(what), QLatin1String(name))
+                                .arg(size.width()));
             };
             find<QCheckBox>("own-weather")->setChecked(true);
             keep("lesson");
             find<QTabWidget>("what")->setCurrentIndex(1);
-            ASSERT_TRUE(QTest::qWaitFor([&] { return find<QComboBox>("place", m_page)->count() > 3; }, 30'000));
+            ASSERT_TRUE(
+                QTest::qWaitFor([&] { return find<QComboBox>("place", m_page)->count() > 3; }, 30'000));
             keep("free");
             ui::SailResult result;
             result.name = QStringLiteral("Basic Navigation");
@@ -206,9 +212,13 @@ TEST_F(Practise, PicturesInDayAndNight) {
             result.score = 76.0;
             result.passed = true;
             result.sailed_s = 2105.0;
-            result.tasks = {{QStringLiteral("Single up and spring off"), true, 95.0}, {QStringLiteral("Pass the entrance"), true, 610.0}, {QStringLiteral("Anchor and bring up"), false, 0.0}};
-            result.losses = {{401.0, QStringLiteral("Keep to the speeds"), QStringLiteral("speed over ground 7.4 kn, limit 6.0 kn"), 4.0, false},
-                             {1502.0, QStringLiteral("Pass other ships well clear outside"), QStringLiteral("passing distance 380.0 m, limit 463.0 m"), 5.0, false}};
+            result.tasks = {{QStringLiteral("Single up and spring off"), true, 95.0},
+                            {QStringLiteral("Pass the entrance"), true, 610.0},
+                            {QStringLiteral("Anchor and bring up"), false, 0.0}};
+            result.losses = {{401.0, QStringLiteral("Keep to the speeds"),
+                              QStringLiteral("speed over ground 7.4 kn, limit 6.0 kn"), 4.0, false},
+                             {1502.0, QStringLiteral("Pass other ships well clear outside"),
+                              QStringLiteral("passing distance 380.0 m, limit 463.0 m"), 5.0, false}};
             result.recording = "x";
             result.best = QStringLiteral("Your best here: 88 of 100");
             frame().openPage(new ui::SailResultPage(result, {}));

@@ -20,7 +20,7 @@ TEST(DemoTexts, TellWhatThePilotDoes) {
     const Hints hints = hintsFor(*world, now, state.assessment.route);
     const DemoCaption caption = demoCaption(*world, state, now, hints);
     ASSERT_TRUE(hints.waypoint);
-    EXPECT_EQ(std8(caption.title), "On the way to " + hints.waypoint->name);
+    EXPECT_EQ(std8(caption.title), "On the way to “" + hints.waypoint->name + "”");
     ASSERT_EQ(caption.figures.size(), 5);
     EXPECT_EQ(std8(caption.figures[0].name), "Speed");
     EXPECT_TRUE(caption.figures[0].value.endsWith(QStringLiteral(" kn")));
