@@ -52,7 +52,7 @@ void offerToGoOn(Station& station, ui::HomePage& home, const BrokenOff& run) {
 ui::AboutFacts aboutFacts(Station& station) {
     ui::AboutFacts facts;
     facts.version = QStringLiteral(SAGARA_VERSION);
-    facts.buildId = QString::fromStdString(core::coreBuildId());
+    facts.buildId = QString::fromStdString(std::string(core::coreBuildId()));
     if (const auto text = files::readTextFile(files::assetFolder() / "ATTRIBUTION.md"))
         facts.attributions = QString::fromStdString(*text);
     const std::pair<core::DocumentKind, QString> kinds[] = {{core::DocumentKind::Area, tr("Area: %1")},

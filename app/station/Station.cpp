@@ -14,6 +14,7 @@
 #include "app/station/Doors.h"
 #include "app/station/RosterDoor.h"
 #include "app/station/SettingsDoor.h"
+#include "db/RunRepository.h"
 #include "ui/help/HelpWindow.h"
 #include "ui/settings/StoredSettings.h"
 #include "ui/theme/Theme.h"
@@ -23,6 +24,17 @@ namespace {
 
 constexpr const char* kPalettes[] = {"day", "dusk", "night"};
 constexpr int kBar_px = 40;
+
+std::optional<db::RunId> runOf(run::Store& store, const std::filesystem::path& recording) {
+    if (store.database() == nullptr) return std::nullopt;
+    try {
+        const auto run =
+            db::RunRepository(*store.database()).findByRecording(store.folder().nameOf(recording));
+        return run ? std::optional(run->id) : std::nullopt;
+    } catch (const db::DbError&) {
+        return std::nullopt;
+    }
+}
 
 }  // namespace
 
@@ -186,9 +198,10 @@ std::optional<std::string> Station::openRun(const RunRequest& request) {
 }
 
 std::optional<std::string> Station::openDebrief(const std::filesystem::path& recording) {
-    const auto page = debriefPage(*this, recording, [this, recording] {
-        openPage(resultPage(*this, recording));
-    });
+    const std::optional<db::RunId> filed = runOf(m_store, recording);
+    std::function<void()> openResult;
+    if (filed) openResult = [this, run = *filed] { openPage(resultPage(*this, run)); };
+    const auto page = debriefPage(*this, recording, openResult);
     if (!page) return page.error();
     openPage(page.value());
     return std::nullopt;

@@ -24,6 +24,7 @@ public:
     run::Store& store() override { return m_store; }
     render::Stage* stageFor(const std::shared_ptr<const core::World>&) override { return nullptr; }
     ui::PaletteName colours() const override { return ui::PaletteName::Night; }
+    void replacePage(ui::Page* page) override { openPage(page); }
     void openPage(ui::Page*) override {}
     std::optional<std::string> openRun(const RunRequest&) override { return std::nullopt; }
     std::optional<std::string> openDebrief(const fs::path&) override { return std::nullopt; }

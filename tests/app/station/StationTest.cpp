@@ -296,6 +296,8 @@ TEST_F(StationWindow, TheWallIsStartedAndStoppedFromTheDesk) {
     QTest::mouseClick(find<QPushButton>("wall-start"), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !wall.status().running; }, 10'000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return layout->isEnabled(); }, 5'000));
+}
+
 TEST_F(StationWindow, AShipThatIsAddedIsSeenInTheViews) {
     openDesk();
     const core::ShipMotion own = run().latest()->ships[0].motion;
