@@ -17,7 +17,7 @@ namespace sagara::render {
 struct StageOptions {
     std::filesystem::path assets;  ///< the folder assets/, for shaders
     Preset preset = Preset::Medium;
-    bool headless = false;  ///< no X server: GL through render/headless
+    bool headless = false;                 ///< no X server: GL through render/headless
     std::filesystem::path ownModels = {};  ///< a second folder of 3D models: those the school has attached
 };
 

@@ -74,6 +74,7 @@ StartPage::StartPage(For whom, std::vector<ScenarioEntry> scenarios, Look look, 
     m_pilot->setObjectName(QStringLiteral("pilot"));
     m_trouble->setObjectName(QStringLiteral("trouble"));
     m_trouble->setWordWrap(true);
+    m_trainee->setObjectName(QStringLiteral("trainee"));
     m_trainee->setPlaceholderText(tr("nobody named"));
     m_trainee->setToolTip(tr("Added to the roster when new"));
     for (int i = 1; i <= core::kLevels; ++i) m_level->addItem(tr("Level %1").arg(i), i);

@@ -161,8 +161,9 @@ void TrainerDesk::addNoteTools(QToolBar& bar) {
                 tr("Mark this moment for the debriefing (Ctrl+B)"));
     mark->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_B));
     connect(mark, &QAction::triggered, m_notes, &NotesPanel::bookmark);
-    QAction* const note = addTool(bar, QStringLiteral("note"), tr("Note"), QStringLiteral("waypoint-edit-iec"),
-                                  tr("Write a note to this moment (Ctrl+N)"));
+    QAction* const note =
+        addTool(bar, QStringLiteral("note"), tr("Note"), QStringLiteral("waypoint-edit-iec"),
+                tr("Write a note to this moment (Ctrl+N)"));
     note->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_N));
     connect(note, &QAction::triggered, this, [this] {
         showPanel(QStringLiteral("notes"));

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "../world/SmallAreas.h"
 #include "core/bridge/EchoSounder.h"
 #include "core/bridge/Sonar.h"
-#include "../world/SmallAreas.h"
 
 namespace sagara::core {
 namespace {

@@ -65,7 +65,7 @@ TEST(PrintChart, ASheetIsFramedAndHasItsMap) {
     for (int y = 0; y < picture.height(); y += 7)
         for (int x = 0; x < picture.width(); x += 7)
             coloured += QColor(picture.pixel(x, y)).saturation() > 20;
-    EXPECT_GT(coloured, 5000);                                                  // water and land
+    EXPECT_GT(coloured, 5000);                                                   // water and land
     EXPECT_LT(QColor(picture.pixel(1, picture.height() / 2)).lightness(), 160);  // the frame
 }
 

@@ -1,0 +1,48 @@
+// sagara-tour: walks through the station as its users do and keeps pictures of what they see. A test (without
+// pictures) and what packaging/run does where nobody is at a display.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTemporaryDir>
+#include <cstdio>
+
+#include "app/files/AssetSource.h"
+#include "render/headless/HeadlessGl.h"
+#include "tests/app/tour/Tour.h"
+
+int main(int argc, char** argv) {
+    using namespace sagara;
+    QApplication application(argc, argv);
+    QCommandLineParser options;
+    options.addHelpOption();
+    options.addOptions(
+        {{QStringLiteral("pictures"), QStringLiteral("folder for the pictures"), QStringLiteral("folder")},
+         {QStringLiteral("data"), QStringLiteral("data folder"), QStringLiteral("folder")},
+         {QStringLiteral("all"), QStringLiteral("day and night, 1280x720 and 1920x1080")}});
+    options.process(application);
+    const QTemporaryDir scratch;
+    const QString data =
+        options.isSet(QStringLiteral("data")) ? options.value(QStringLiteral("data")) : scratch.path();
+    auto store = run::Store::open(std::filesystem::path(data.toStdString()));
+    if (!store) return std::fprintf(stderr, "sagara-tour: %s\n", store.error().c_str()), 2;
+    tour::Screens::Look look;
+    if (options.isSet(QStringLiteral("pictures"))) {
+        look.folder = options.value(QStringLiteral("pictures")).toStdString();
+        std::filesystem::create_directories(look.folder);
+    }
+    if (options.isSet(QStringLiteral("all"))) {
+        look.sizes = {{1280, 720}, {1920, 1080}};
+        look.palettes = {ui::PaletteName::Day, ui::PaletteName::Night};
+    }
+    render::StageOptions stage;
+    stage.assets = files::assetFolder();
+    stage.ownModels = (*store)->ownModels();
+    stage.headless = !render::displayIsSet();
+    station::Station station(**store, stage);
+    station.resize(1280, 720);
+    station.show();
+    tour::Screens screens(station, look);
+    tour::walk(screens);
+    std::printf("%d pictures, %d things amiss\n", screens.pictures(),
+                static_cast<int>(screens.failures().size()));
+    return screens.failures().isEmpty() ? 0 : 1;
+}
