@@ -4,10 +4,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPixmap>
+#include <QPushButton>
+#include <QTabWidget>
 #include <QTest>
+#include <QTimer>
 #include <cstdio>
 
 namespace sagara::tour {
@@ -66,9 +69,11 @@ QWidget* Screens::find(const QString& objectName) {
         if (window->objectName() == objectName && window->isVisible()) return window;
         for (auto* const widget : window->findChildren<QWidget*>(objectName)) {
             if (widget->isVisible()) return widget;
-            // On a tab that is not in front: bring its dock forward, as a person would.
+            // On a tab that is not in front: brought forward, as a person would.
             for (QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget())
-                if (auto* const dock = qobject_cast<QDockWidget*>(up)) dock->raise();
+                if (auto* const tabs = qobject_cast<QTabWidget*>(up))
+                    for (int i = 0; i < tabs->count(); ++i)
+                        if (tabs->widget(i)->isAncestorOf(widget)) tabs->setCurrentIndex(i);
             QApplication::processEvents();
             if (widget->isVisible()) return widget;
         }
@@ -93,6 +98,15 @@ void Screens::type(const QString& objectName, const QString& text) {
     if (auto* const line = qobject_cast<QLineEdit*>(widget)) line->selectAll();
     QTest::keyClicks(widget, text);
     QTest::keyClick(widget, Qt::Key_Tab);
+}
+
+void Screens::sayYes() {
+    QTimer::singleShot(500, &m_station, [] {
+        auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (box == nullptr) return;
+        QAbstractButton* const yes = box->button(QMessageBox::Yes);
+        (yes != nullptr ? yes : box->defaultButton())->click();
+    });
 }
 
 void Screens::choose(const QString& comboBox, const QString& entry) {

@@ -37,6 +37,8 @@ public:
     }
     void click(const QString& objectName);
     void type(const QString& objectName, const QString& text);
+    /// Yes to the question that is about to be asked, if one is.
+    void sayYes();
     /// By its text or its data.
     void choose(const QString& comboBox, const QString& entry);
     bool waitFor(const QString& what, const std::function<bool()>& done, int atMost_ms = 30'000);

@@ -24,6 +24,7 @@ namespace {
 QString s(const char* text) { return QString::fromLatin1(text); }
 
 void home(Screens& screens) {
+    screens.sayYes();
     screens.station().leaveAll();
     screens.expect(screens.station().depth() == 1, s("the doors cannot be reached again"));
 }
@@ -155,6 +156,7 @@ void practise(Screens& screens) {
     screens.click(s("take-watch"));
     QTest::qWait(3000);
     screens.keep(s("practise-console"));
+    screens.sayYes();
     screens.station().leavePage();
     screens.waitFor(s("the result of practice"), [&] {
         return screens.station().page()->findChild<QWidget*>(s("result-line")) != nullptr;
@@ -245,8 +247,13 @@ void demo(Screens& screens) {
 
 }  // namespace
 
-void walk(Screens& screens) {
-    for (const auto& part : {teach, restOfTeaching, train, practise, vessels, settings, demo}) part(screens);
+void walk(Screens& screens, const std::string& only) {
+    using Part = void (*)(Screens&);
+    const std::pair<const char*, Part> parts[] = {
+        {"teach", teach},     {"author", restOfTeaching}, {"train", train}, {"practise", practise},
+        {"vessels", vessels}, {"settings", settings},     {"demo", demo}};
+    for (const auto& [name, part] : parts)
+        if (only.empty() || only == name) part(screens);
 }
 
 }  // namespace sagara::tour

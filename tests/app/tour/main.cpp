@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     options.addOptions(
         {{QStringLiteral("pictures"), QStringLiteral("folder for the pictures"), QStringLiteral("folder")},
          {QStringLiteral("data"), QStringLiteral("data folder"), QStringLiteral("folder")},
+         {QStringLiteral("only"), QStringLiteral("one part of the walk"), QStringLiteral("part")},
          {QStringLiteral("all"), QStringLiteral("day and night, 1280x720 and 1920x1080")}});
     options.process(application);
     const QTemporaryDir scratch;
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
     station.resize(1280, 720);
     station.show();
     tour::Screens screens(station, look);
-    tour::walk(screens);
+    tour::walk(screens, options.value(QStringLiteral("only")).toStdString());
     std::printf("%d pictures, %d things amiss\n", screens.pictures(),
                 static_cast<int>(screens.failures().size()));
     return screens.failures().isEmpty() ? 0 : 1;
