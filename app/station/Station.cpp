@@ -219,7 +219,10 @@ void Station::setColours(ui::PaletteName name) {
 }
 
 void Station::openSettings() {
-    openPage(settingsPage(*this, m_input, m_sound, [this](ui::PaletteName name) { setColours(name); }));
+    ui::Page* const page =
+        settingsPage(*this, m_input, m_sound, [this](ui::PaletteName name) { setColours(name); });
+    page->setWindowTitle(tr("Settings"));
+    openPage(page);
 }
 
 void Station::help() {
