@@ -16,6 +16,7 @@
 #include "app/station/SailPage.h"
 #include "core/base/Units.h"
 #include "ui/demo/DemoPage.h"
+#include "ui/demo/PinPad.h"
 #include "ui/trainer/TrainerDesk.h"
 
 namespace sagara::tour {
@@ -238,8 +239,8 @@ void demo(Screens& screens) {
     QTest::keyClick(page, Qt::Key_Q, Qt::ControlModifier | Qt::ShiftModifier);
     QTest::qWait(500);
     screens.keep(s("demo-pin"));
-    for (int i = 0; i < 4; ++i)
-        QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : page, Qt::Key_0);
+    if (auto* const pad = page->findChild<ui::PinPad*>())
+        for (int i = 0; i < 4; ++i) QTest::keyClick(pad, Qt::Key_0);
     screens.waitFor(
         s("the demo left by its PIN"), [&] { return screens.station().page() != page; }, 10'000);
     home(screens);
