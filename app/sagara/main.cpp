@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     station::RunRequest request;
     std::string role = "any";
     bool demo = false;
+    std::string wall;
     bool fullScreen = false;
     CLI::App app("Sagara's station: teach, train, practise, keep vessels, show a demo");
     app.name("sagara");
@@ -46,7 +47,7 @@ int main(int argc, char** argv) {
         window.showFullScreen();
     else
         window.show();
-    const auto trouble = demo ? station::enterDemo(window) : station::enter(window, role, request);
+    const auto trouble = demo ? station::enterDemo(window, wall) : station::enter(window, role, request);
     if (trouble) return std::fprintf(stderr, "sagara: %s\n", trouble->c_str()), 2;
     return QApplication::exec();
 }

@@ -30,6 +30,13 @@ ui::Page* alonePage(Station& station) {
     ways.console = [&station](ui::ExerciseRun& run, const PractiseOptions& wanted) {
         return consoleAlone(station, run, wanted);
     };
+    ways.debrief = [&station](const std::filesystem::path& recording,
+                              double time_s) -> std::optional<std::string> {
+        const auto page = debriefPage(station, recording, nullptr, time_s);
+        if (!page) return page.error();
+        station.openPage(*page);
+        return std::nullopt;
+    };
     return practisePage(station, std::move(ways));
 }
 

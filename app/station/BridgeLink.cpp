@@ -36,7 +36,9 @@ BridgeLink::~BridgeLink() { m_input.watchKeys(nullptr); }
 
 void BridgeLink::play() {
     if (!m_run.running()) return;
-    m_sound.play(ui::soundSceneOf(*m_run.world(), *m_run.latest(), m_heard));
+    const auto now = m_run.latest();
+    m_sound.play(ui::soundSceneOf(*m_run.world(), *now, m_heard));
+    m_input.nmea().report(*m_run.world(), *now);
 }
 
 }  // namespace sagara::station

@@ -10,6 +10,7 @@
 #include "db/GradeRepository.h"
 #include "db/PersonRepository.h"
 #include "db/RunRepository.h"
+#include "ui/debrief/DebriefDesk.h"
 #include "ui/debrief/DebriefPage.h"
 #include "ui/debrief/RecordingsPage.h"
 
@@ -120,13 +121,17 @@ ui::DebriefPorts debriefPorts(run::Store& store, const fs::path& recording) {
 }
 
 core::Result<ui::Page*, std::string> debriefPage(Frame& frame, const fs::path& recording,
-                                                 std::function<void()> openResult) {
+                                                 std::function<void()> openResult, double from_s) {
     if (const std::string why = whyNotARecording(recording); !why.empty()) return why;
     ui::DebriefPorts ports = debriefPorts(frame.store(), recording);
     ports.stage = [&frame](const std::shared_ptr<const core::World>& world) { return frame.stageFor(world); };
     ports.openResult = std::move(openResult);
-    return static_cast<ui::Page*>(
-        new ui::DebriefPage(std::move(ports), QString::fromStdString(recording.filename().string())));
+    auto* const page =
+        new ui::DebriefPage(std::move(ports), QString::fromStdString(recording.filename().string()));
+    if (from_s > 0.0)
+        QObject::connect(page, &ui::DebriefPage::opened, page,
+                         [page, from_s] { page->desk()->goTo({static_cast<std::int64_t>(1e6 * from_s)}); });
+    return static_cast<ui::Page*>(page);
 }
 
 ui::Page* recordingsPage(Frame& frame) {

@@ -21,7 +21,8 @@ ui::Page* adminPage(Station& station);
 
 /// What the command line asks for: a role's door, or at once an exercise. The error is for the person.
 std::optional<std::string> enter(Station& station, const std::string& role, const RunRequest& request);
-std::optional<std::string> enterDemo(Station& station);
+/// With a wall of that layout beside it; empty: none.
+std::optional<std::string> enterDemo(Station& station, const std::string& wallLayout = {});
 
 void about(Station& station);
 

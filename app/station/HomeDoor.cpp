@@ -49,6 +49,16 @@ void offerToGoOn(Station& station, ui::HomePage& home, const BrokenOff& run) {
                    std::move(ways));
 }
 
+/// The first stick that is plugged in, as a visitor holds it: to starboard and forward are positive.
+std::optional<ui::StickReading> stickOf(const ui::Joysticks& sticks) {
+    const auto devices = sticks.devices();
+    if (devices.empty()) return std::nullopt;
+    const ui::JoystickInfo& stick = devices.front();
+    ui::StickReading reading{sticks.axis(stick.id, 0), -sticks.axis(stick.id, 1)};
+    for (int i = 0; i < stick.buttons; ++i) reading.pressed = reading.pressed || sticks.button(stick.id, i);
+    return reading;
+}
+
 ui::AboutFacts aboutFacts(Station& station) {
     ui::AboutFacts facts;
     facts.version = QStringLiteral(SAGARA_VERSION);
@@ -122,8 +132,11 @@ ui::Page* homePage(Station& station) {
     return home;
 }
 
-std::optional<std::string> enterDemo(Station& station) {
-    auto page = openDemo(station);
+std::optional<std::string> enterDemo(Station& station, const std::string& wallLayout) {
+    DemoOptions options;
+    options.wallLayout = wallLayout;
+    options.stick = [&station] { return stickOf(station.input().joysticks()); };
+    auto page = openDemo(station, std::move(options));
     if (!page) return page.error();
     station.openPage(page.value());
     station.setBarShown(false);

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -132,6 +133,8 @@ ui::Page* Station::page() const { return m_pages.empty() ? nullptr : m_pages.bac
 void Station::openPage(ui::Page* page) {
     page->setParent(this);
     page->setColours(m_colours);
+    for (auto* const back : page->findChildren<QPushButton*>(QStringLiteral("back")))
+        back->hide();  // the bar has the way back
     m_pages.push_back(page);
     m_stack->addWidget(page);
     // Queued: the page asks for it in the middle of its own work.

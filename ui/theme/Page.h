@@ -6,7 +6,8 @@
 
 namespace sagara::ui {
 
-/// A page of the station: the window shows one at a time, the one behind it when it is left.
+/// A page of the station: the window shows one at a time, the one behind it when it is left. The window has
+/// the way back; a page's own button of the name "back" is hidden there.
 class Page : public QWidget {
     Q_OBJECT
 
