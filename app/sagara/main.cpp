@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("Sagara"));
     render::StageOptions stage;
     stage.assets = files::assetFolder();
+    stage.preset = station::presetOfThisMachine();
     stage.ownModels = (*store)->ownModels();
     stage.headless = !render::displayIsSet();
     station::Station window(**store, stage);

@@ -39,6 +39,12 @@ std::optional<db::RunId> runOf(run::Store& store, const std::filesystem::path& r
 
 }  // namespace
 
+render::Preset presetOfThisMachine() {
+    std::error_code ignored;
+    const bool card = std::filesystem::exists("/dev/dri/renderD128", ignored);
+    return card ? render::Preset::Medium : render::Preset::Low;
+}
+
 Station::Station(run::Store& store, render::StageOptions stage)
     : m_store(store),
       m_stageOptions(std::move(stage)),

@@ -14,6 +14,10 @@ class QToolButton;
 
 namespace sagara::station {
 
+/// How much the station's own views are to draw: the wall has the machine's other cores where there is no
+/// graphics card.
+render::Preset presetOfThisMachine();
+
 /// The station's window: a bar and a stack of pages, of which the topmost is shown. Starts with the page of
 /// the doors.
 class Station final : public QWidget, public Frame {

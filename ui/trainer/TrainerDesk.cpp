@@ -35,7 +35,7 @@
 namespace sagara::ui {
 namespace {
 
-constexpr int kFrame_ms = 50, kBeat_ms = 200;
+constexpr int kFrame_ms = 40, kBeat_ms = 200;
 constexpr double kUnderKeel_m = 1.5;  ///< added to the draught for the safety contour
 constexpr double kPrediction_s = 360.0, kPredictionStep_s = 10.0;
 constexpr double kLongestArrow_px = 110.0;

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     }
     render::StageOptions stage;
     stage.assets = files::assetFolder();
+    stage.preset = station::presetOfThisMachine();
     stage.ownModels = (*store)->ownModels();
     stage.headless = !render::displayIsSet();
     station::Station station(**store, stage);

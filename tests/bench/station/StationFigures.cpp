@@ -67,7 +67,7 @@ int figures(double measure_s) {
     sinceStart.start();
     auto store = run::Store::open(std::filesystem::path(folder.path().toStdString()));
     if (!store) return std::fprintf(stderr, "%s\n", store.error().c_str()), 2;
-    Station station(**store, render::StageOptions{SAGARA_ASSETS, render::Preset::Medium, true});
+    Station station(**store, render::StageOptions{SAGARA_ASSETS, presetOfThisMachine(), true});
     station.resize(1280, 720);
     station.show();
     RunRequest request;
