@@ -1,6 +1,7 @@
 // sagara: the station. Options here, work in app/station and ui.
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QScreen>
 #include <cstdio>
 
 #include "app/files/AssetSource.h"
@@ -44,7 +45,11 @@ int main(int argc, char** argv) {
     stage.ownModels = (*store)->ownModels();
     stage.headless = !render::displayIsSet();
     station::Station window(**store, stage);
-    if (demo || fullScreen)
+    const bool trainee = role == "trainee";
+    // The first monitor is the trainer's.
+    if (const auto screens = QGuiApplication::screens(); trainee && screens.size() > 1)
+        window.setGeometry(screens[1]->geometry());
+    if (demo || fullScreen || trainee)
         window.showFullScreen();
     else
         window.show();

@@ -11,6 +11,11 @@
 #include "ui/trainer/WallPanel.h"
 
 namespace sagara::station {
+namespace {
+
+constexpr const char* kLayout = "ui.desk-layout";
+
+}  // namespace
 
 DeskPage::DeskPage(Station& station, std::unique_ptr<StationRun> run)
     : m_station(station),
@@ -26,6 +31,8 @@ DeskPage::DeskPage(Station& station, std::unique_ptr<StationRun> run)
 
 DeskPage::~DeskPage() {
     delete m_console;
+    const std::string kept = m_desk->layoutKept().toBase64().toStdString();
+    if (m_station.settings().get(kLayout) != kept) m_station.settings().put(kLayout, kept);
     delete m_desk;  // before the run it looks at
     m_wall.reset();
 }
@@ -35,6 +42,8 @@ void DeskPage::makeDesk() {
     m_desk = new ui::TrainerDesk(*m_run, m_station.stageFor(m_run->world()), this);
     m_desk->addPanel(QStringLiteral("wall"), tr("Wall"), QStringLiteral("view-gallery-google"),
                      new ui::WallPanel(*m_wall, m_desk));
+    if (const auto kept = m_station.settings().get(kLayout))
+        m_desk->setLayoutKept(QByteArray::fromBase64(QByteArray::fromStdString(*kept)));
     m_desk->setMayGoBack(m_run->mayGoBack());
     m_desk->setColours(m_station.colours());
     std::vector<ui::ChartTrackPoint> sailed;

@@ -20,6 +20,37 @@ QPixmap drawn(QByteArray svg, const QColor& colour, int size_px) {
     return picture;
 }
 
+/// The style draws edges darker than their ground, which black has no room for.
+QString edgesAtNight(const ThemeColours& c) {
+    return QStringLiteral(
+               "QCheckBox::indicator { width: 12px; height: 12px; border: 1px solid %1; border-radius: 2px; }"
+               "QCheckBox::indicator:checked { background: %2; }"
+               "QCheckBox::indicator:focus { border-color: %3; }"
+               "QLineEdit, QTextEdit, QPlainTextEdit, QAbstractItemView { border: 1px solid %1; }")
+        .arg(c.border.name(), c.setValue.name(), c.text.name());
+}
+
+QString commonSheet(const ThemeColours& c) {
+    return QStringLiteral(
+               "QToolTip { color: %1; background: %2; border: 1px solid %3; padding: 3px; }"
+               "QPushButton { min-height: 22px; padding: 3px 12px; border: 1px solid %3; border-radius: 4px;"
+               " background: %2; }"
+               "QPushButton:hover { border-color: %4; }"
+               "QPushButton:pressed { background: %5; }"
+               "QPushButton:checked, QPushButton[primary=\"true\"] { background: %6; color: %7;"
+               " border-color: %6; }"
+               "QPushButton:disabled { color: %8; background: %9; border-color: %5; }"
+               "QPushButton:focus { border: 2px solid %4; padding: 2px 11px; }"
+               "QGroupBox { font-weight: bold; border: 1px solid %3; border-radius: 4px; margin-top: 9px;"
+               " padding-top: 6px; }"
+               "QGroupBox::title { subcontrol-origin: margin; left: 8px; padding: 0 4px; }"
+               "QHeaderView::section { background: %10; color: %1; border: none; padding: 4px 6px;"
+               " border-bottom: 1px solid %3; }")
+        .arg(c.text.name(), c.surface.name(), c.border.name(), c.focus.name(), c.pressed.name(),
+             c.selected.name(), c.onSelected.name(), c.disabledText.name(), c.window.name())
+        .arg(c.section.name());
+}
+
 }  // namespace
 
 QPalette widgetPalette(PaletteName name) {
@@ -54,24 +85,7 @@ QPalette widgetPalette(PaletteName name) {
 
 QString styleSheet(PaletteName name) {
     const ThemeColours& c = themeColours(name);
-    return QStringLiteral(
-               "QToolTip { color: %1; background: %2; border: 1px solid %3; padding: 3px; }"
-               "QPushButton { min-height: 22px; padding: 3px 12px; border: 1px solid %3; border-radius: 4px;"
-               " background: %2; }"
-               "QPushButton:hover { border-color: %4; }"
-               "QPushButton:pressed { background: %5; }"
-               "QPushButton:checked, QPushButton[primary=\"true\"] { background: %6; color: %7;"
-               " border-color: %6; }"
-               "QPushButton:disabled { color: %8; background: %9; border-color: %5; }"
-               "QPushButton:focus { border: 2px solid %4; padding: 2px 11px; }"
-               "QGroupBox { font-weight: bold; border: 1px solid %3; border-radius: 4px; margin-top: 9px;"
-               " padding-top: 6px; }"
-               "QGroupBox::title { subcontrol-origin: margin; left: 8px; padding: 0 4px; }"
-               "QHeaderView::section { background: %10; color: %1; border: none; padding: 4px 6px;"
-               " border-bottom: 1px solid %3; }")
-        .arg(c.text.name(), c.surface.name(), c.border.name(), c.focus.name(), c.pressed.name(),
-             c.selected.name(), c.onSelected.name(), c.disabledText.name(), c.window.name())
-        .arg(c.section.name());
+    return name == PaletteName::Night ? commonSheet(c) + edgesAtNight(c) : commonSheet(c);
 }
 
 void applyTheme(QApplication& application, PaletteName name) {

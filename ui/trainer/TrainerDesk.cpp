@@ -296,9 +296,15 @@ void TrainerDesk::showEvent(QShowEvent* event) {
     QTimer::singleShot(0, this, [this] {
         const int left = std::clamp(width() / 4, 390, 480);
         const int right = m_stage == nullptr ? 260 : std::clamp(width() * 3 / 10, 300, 760);
-        findChild<QSplitter*>(QStringLiteral("desk-parts"))->setSizes({left, width() - left - right, right});
+        auto* const parts = findChild<QSplitter*>(QStringLiteral("desk-parts"));
+        if (m_layoutKept.isEmpty() || !parts->restoreState(m_layoutKept))
+            parts->setSizes({left, width() - left - right, right});
         QTimer::singleShot(0, this, [this] { showRoute(); });
     });
+}
+
+QByteArray TrainerDesk::layoutKept() const {
+    return findChild<QSplitter*>(QStringLiteral("desk-parts"))->saveState();
 }
 
 void TrainerDesk::showRoute() {

@@ -46,6 +46,9 @@ public:
     /// What was sailed before the run was taken up or went back.
     void showSailed(std::vector<ChartTrackPoint> track);
     void setMayGoBack(bool may);
+    /// How the space is divided, to be kept and given back before the desk is shown.
+    QByteArray layoutKept() const;
+    void setLayoutKept(const QByteArray& kept) { m_layoutKept = kept; }
 
     /// Draws and shows what is now; called by a timer, and by tests.
     void drawViews();
@@ -94,6 +97,7 @@ private:
     QTimer* m_beat;
     PaletteName m_palette = PaletteName::Day;
     bool m_laidOut = false;
+    QByteArray m_layoutKept;
     std::int64_t m_tick = -1;
     std::int64_t m_trackedTo_s = -1;
     std::int64_t m_predictedAt_s = -1;
