@@ -70,6 +70,7 @@ Station::~Station() {
         delete m_pages.back();
         m_pages.pop_back();
     }
+    qDeleteAll(findChildren<ui::Page*>());  // replaced ones that were still waiting to go
 }
 
 QWidget* Station::makeBar() {
