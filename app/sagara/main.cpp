@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"any", "trainer", "trainee", "practise", "admin"}));
     app.add_flag("--demo", demo,
                  "the exhibition: the pilot sails until somebody takes the helm; left by a chord and a PIN");
+    app.add_option("--wall", wall,
+                   "with --demo: a wall of that layout, each channel over a monitor (assets/walls)");
     app.add_option(
         "--scenario", request.scenario,
         "open this exercise at once, id or file: the trainer's desk, or the console of --role trainee");

@@ -136,7 +136,8 @@ TEST_F(Demo, NothingIsWrittenToRosterRunsOrRecordings) {
     ASSERT_TRUE(sailed(*page, 50));
     pass(*page, 61.0);
     page->run().give(0, core::FinishOrder{});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return page->run().over(); }, 10'000));
+    // The page's own beat may have gone on to the next lesson already.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page->run().over() || page->lesson() == 0; }, 10'000));
     pass(*page, 1.0);
     EXPECT_EQ(page->lesson(), 0u) << "after a whole lesson, the second, comes the next";
     EXPECT_EQ(db::RunRepository(*store().database()).count(), 0);
