@@ -1,15 +1,12 @@
 #include "app/station/ConsoleDoor.h"
 
-#include <QDialog>
-#include <QFile>
 #include <QGuiApplication>
 #include <QScreen>
 #include <QShortcut>
-#include <QTextBrowser>
-#include <QVBoxLayout>
 #include <QWindow>
 
 #include "app/files/AssetSource.h"
+#include "ui/help/HelpWindow.h"
 #include "ui/trainee/ConsolePage.h"
 
 namespace sagara::station {
@@ -22,23 +19,6 @@ QScreen* freeScreen() {
     for (QScreen* screen : QGuiApplication::screens())
         if (screen != taken) return screen;
     return nullptr;
-}
-
-void showHelp(QWidget* parent) {
-    auto* const dialog = new QDialog(parent);
-    dialog->setObjectName(QStringLiteral("console-help"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(ui::TraineeConsole::tr("Help: the console"));
-    auto* const text = new QTextBrowser(dialog);
-    QFile file(QString::fromStdString((files::assetFolder() / "help" / "console.md").string()));
-    if (file.open(QIODevice::ReadOnly))
-        text->setMarkdown(QString::fromUtf8(file.readAll()));
-    else
-        text->setPlainText(ui::TraineeConsole::tr("%1 cannot be read.").arg(file.fileName()));
-    auto* const column = new QVBoxLayout(dialog);
-    column->addWidget(text);
-    dialog->resize(720, 560);
-    dialog->open();
 }
 
 }  // namespace
@@ -58,7 +38,9 @@ ui::TraineeConsole* consoleWindow(Frame& frame, ui::ExerciseRun& run, ui::Consol
     };
     key(Qt::Key_F11,
         [console] { console->isFullScreen() ? console->showNormal() : console->showFullScreen(); });
-    key(Qt::Key_F1, [console] { showHelp(console); });
+    key(Qt::Key_F1, [console, &frame] {
+        ui::showHelp(console, files::assetFolder() / "help", QStringLiteral("console"), frame.colours());
+    });
     if (QScreen* const screen = freeScreen()) {
         console->move(screen->geometry().topLeft());
         console->showFullScreen();

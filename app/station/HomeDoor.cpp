@@ -59,6 +59,19 @@ std::optional<ui::StickReading> stickOf(const ui::Joysticks& sticks) {
     return reading;
 }
 
+DemoOptions demoOptions(Station& station, const std::string& wallLayout) {
+    DemoOptions options;
+    options.wallLayout = wallLayout;
+    options.stick = [&station] { return stickOf(station.input().joysticks()); };
+    return options;
+}
+
+/// Without the bar, unless the page only tells why there is no demo.
+void showDemo(Station& station, ui::Page* page) {
+    station.openPage(page);
+    station.setBarShown(qobject_cast<ui::DemoPage*>(page) == nullptr);
+}
+
 ui::AboutFacts aboutFacts(Station& station) {
     ui::AboutFacts facts;
     facts.version = QStringLiteral(SAGARA_VERSION);
@@ -122,7 +135,8 @@ ui::Page* homePage(Station& station) {
          QStringLiteral("view-gallery-google"),
          tr("Exhibitions: the pilot sails, cameras change, and whoever touches a key takes the helm."),
          {{tr("Start the demo"), tr("Full screen; it is left by a chord of keys and a PIN"),
-           QStringLiteral("door-demo"), [&station] { enterDemo(station); }}}});
+           QStringLiteral("door-demo"),
+           [&station] { showDemo(station, demoPage(station, demoOptions(station, {}))); }}}});
     auto* const home = new ui::HomePage(std::move(doors));
     for (const std::string& message : run::RunFiling(station.store()).fileNoted())
         home->addNotice(QString::fromStdString(message));
@@ -133,13 +147,9 @@ ui::Page* homePage(Station& station) {
 }
 
 std::optional<std::string> enterDemo(Station& station, const std::string& wallLayout) {
-    DemoOptions options;
-    options.wallLayout = wallLayout;
-    options.stick = [&station] { return stickOf(station.input().joysticks()); };
-    auto page = openDemo(station, std::move(options));
+    auto page = openDemo(station, demoOptions(station, wallLayout));
     if (!page) return page.error();
-    station.openPage(page.value());
-    station.setBarShown(false);
+    showDemo(station, *page);
     return std::nullopt;
 }
 

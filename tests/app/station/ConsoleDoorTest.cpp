@@ -11,27 +11,13 @@
 
 #include "app/files/BuildScenario.h"
 #include "app/station/StationRun.h"
+#include "tests/app/station/NoWindow.h"
 #include "ui/trainee/ConsolePage.h"
 
 namespace sagara::station {
 namespace {
 
 namespace fs = std::filesystem;
-
-class NoWindow final : public Frame {
-public:
-    explicit NoWindow(run::Store& store) : m_store(store) {}
-    run::Store& store() override { return m_store; }
-    render::Stage* stageFor(const std::shared_ptr<const core::World>&) override { return nullptr; }
-    ui::PaletteName colours() const override { return ui::PaletteName::Night; }
-    void replacePage(ui::Page* page) override { openPage(page); }
-    void openPage(ui::Page*) override {}
-    std::optional<std::string> openRun(const RunRequest&) override { return std::nullopt; }
-    std::optional<std::string> openDebrief(const fs::path&) override { return std::nullopt; }
-
-private:
-    run::Store& m_store;
-};
 
 class DoorToTheConsole : public ::testing::Test {
 protected:
@@ -58,7 +44,7 @@ protected:
 };
 
 TEST_F(DoorToTheConsole, GivesAPageThatSteersTheRunningShip) {
-    NoWindow frame(*m_store);
+    NoWindow frame(*m_store, ui::PaletteName::Night);
     ui::ConsoleOptions options;
     options.startsRun = true;
     const std::unique_ptr<ui::ConsolePage> page(consolePage(frame, *m_run, options));
@@ -73,7 +59,7 @@ TEST_F(DoorToTheConsole, GivesAPageThatSteersTheRunningShip) {
 }
 
 TEST_F(DoorToTheConsole, GivesAWindowWithHelpThatClosesItself) {
-    NoWindow frame(*m_store);
+    NoWindow frame(*m_store, ui::PaletteName::Night);
     QPointer<ui::TraineeConsole> console = consoleWindow(frame, *m_run, {});
     ASSERT_TRUE(console != nullptr);
     EXPECT_TRUE(console->isVisible());
@@ -82,9 +68,8 @@ TEST_F(DoorToTheConsole, GivesAWindowWithHelpThatClosesItself) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(console.data(), 5000));
     QTest::keyClick(console.data(), Qt::Key_F1);
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return console->findChild<QWidget*>(QStringLiteral("console-help")) != nullptr; }, 5000));
-    const auto* const help =
-        console->findChild<QWidget*>(QStringLiteral("console-help"))->findChild<QTextBrowser*>();
+        [&] { return console->findChild<QTextBrowser*>(QStringLiteral("help-page")) != nullptr; }, 5000));
+    const auto* const help = console->findChild<QTextBrowser*>(QStringLiteral("help-page"));
     EXPECT_TRUE(help->toPlainText().contains(QStringLiteral("Take the watch")));
     console->close();
     ASSERT_TRUE(QTest::qWaitFor([&] { return console == nullptr; }, 5000));

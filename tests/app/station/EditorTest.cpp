@@ -25,6 +25,7 @@
 #include "app/station/EditorDoor.h"
 #include "core/exercise/Session.h"
 #include "db/DocumentRepository.h"
+#include "tests/app/station/NoWindow.h"
 #include "ui/editor/DryRunPanel.h"
 #include "ui/editor/FieldText.h"
 #include "ui/editor/ScenarioFields.h"
@@ -39,21 +40,6 @@ namespace fs = std::filesystem;
 using namespace ui::editor;
 using test::EditorDriver;
 
-class TestFrame final : public Frame {
-public:
-    explicit TestFrame(run::Store& store) : m_store(store) {}
-    run::Store& store() override { return m_store; }
-    render::Stage* stageFor(const std::shared_ptr<const core::World>&) override { return nullptr; }
-    ui::PaletteName colours() const override { return ui::PaletteName::Day; }
-    void replacePage(ui::Page* page) override { openPage(page); }
-    void openPage(ui::Page*) override {}
-    std::optional<std::string> openRun(const RunRequest&) override { return std::nullopt; }
-    std::optional<std::string> openDebrief(const fs::path&) override { return std::nullopt; }
-
-private:
-    run::Store& m_store;
-};
-
 class EditorWindow : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -62,7 +48,7 @@ protected:
         auto store = run::Store::open(m_folder);
         ASSERT_TRUE(store) << store.error();
         m_store = std::move(store).value();
-        m_frame = std::make_unique<TestFrame>(*m_store);
+        m_frame = std::make_unique<NoWindow>(*m_store);
         openPage({});
     }
     void TearDown() override {
@@ -128,7 +114,7 @@ protected:
 
     fs::path m_folder;
     std::unique_ptr<run::Store> m_store;
-    std::unique_ptr<TestFrame> m_frame;
+    std::unique_ptr<NoWindow> m_frame;
     std::unique_ptr<EditorPage> m_page;
     std::unique_ptr<EditorDriver> m_driver;
 };

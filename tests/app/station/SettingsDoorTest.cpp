@@ -11,26 +11,12 @@
 #include <fstream>
 
 #include "app/station/Frame.h"
+#include "tests/app/station/NoWindow.h"
 
 namespace sagara::station {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Window final : public Frame {
-public:
-    explicit Window(run::Store& store) : m_store(store) {}
-    run::Store& store() override { return m_store; }
-    render::Stage* stageFor(const std::shared_ptr<const core::World>&) override { return nullptr; }
-    ui::PaletteName colours() const override { return ui::PaletteName::Dusk; }
-    void replacePage(ui::Page* page) override { openPage(page); }
-    void openPage(ui::Page*) override {}
-    std::optional<std::string> openRun(const RunRequest&) override { return "no run here"; }
-    std::optional<std::string> openDebrief(const fs::path&) override { return "no debrief here"; }
-
-private:
-    run::Store& m_store;
-};
 
 class SettingsDoor : public ::testing::Test {
 protected:
@@ -52,7 +38,7 @@ TEST_F(SettingsDoor, WhatIsSetOnThePageIsThereAtTheNextStart) {
     {
         const auto kept = store();
         ASSERT_NE(kept->database(), nullptr) << kept->trouble();
-        Window window(*kept);
+        NoWindow window(*kept, ui::PaletteName::Dusk);
         ui::BridgeInput input;
         ui::SoundBoard sound;
         const std::unique_ptr<ui::Page> page(settingsPage(window, input, sound, [](ui::PaletteName) {}));
@@ -74,7 +60,7 @@ TEST_F(SettingsDoor, WithoutADatabaseSettingsHoldAndThePageSaysHowLong) {
     std::ofstream(m_folder / "sagara.db") << "this is no database, whatever its name says";
     const auto kept = store();
     ASSERT_EQ(kept->database(), nullptr);
-    Window window(*kept);
+    NoWindow window(*kept, ui::PaletteName::Dusk);
     const auto settings = settingsStore(window);
     settings->put("sound.muted", "1");
     EXPECT_EQ(settings->get("sound.muted"), "1");

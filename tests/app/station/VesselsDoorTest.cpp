@@ -12,6 +12,7 @@
 #include "core/vessel/Particulars.h"
 #include "db/DocumentRepository.h"
 #include "db/PersonRepository.h"
+#include "tests/app/station/NoWindow.h"
 #include "ui/theme/Theme.h"
 #include "ui/vessels/DatabasePage.h"
 #include "ui/vessels/VesselsPage.h"
@@ -20,22 +21,6 @@ namespace sagara::station {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The window's part without a window or a scene.
-class NoWindow final : public Frame {
-public:
-    explicit NoWindow(run::Store& store) : m_store(store) {}
-    run::Store& store() override { return m_store; }
-    render::Stage* stageFor(const std::shared_ptr<const core::World>&) override { return nullptr; }
-    ui::PaletteName colours() const override { return ui::PaletteName::Day; }
-    void replacePage(ui::Page* page) override { openPage(page); }
-    void openPage(ui::Page* page) override { delete page; }
-    std::optional<std::string> openRun(const RunRequest&) override { return "no runs here"; }
-    std::optional<std::string> openDebrief(const fs::path&) override { return "no debriefs here"; }
-
-private:
-    run::Store& m_store;
-};
 
 class Doors : public ::testing::Test {
 protected:
