@@ -85,6 +85,7 @@ void DeskPage::openConsole() {
     ui::ConsoleOptions options;
     options.briefing = false;
     options.drawsStage = false;  // the desk does
+    options.keys = false;        // BridgeLink takes them, as they are mapped
     m_console = consoleWindow(m_station, *m_run, options);
     new BridgeLink(m_station.input(), m_station.sound(), *m_console, *m_run);
 }

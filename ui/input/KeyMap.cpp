@@ -26,9 +26,9 @@ QKeySequence usualKey(BridgeAction action) {
         case BridgeAction::Horn:
             return QKeySequence(Qt::Key_H);
         case BridgeAction::TelegraphUp:
-            return QKeySequence(Qt::Key_Up);
+            return QKeySequence(Qt::Key_PageUp);
         case BridgeAction::TelegraphDown:
-            return QKeySequence(Qt::Key_Down);
+            return QKeySequence(Qt::Key_PageDown);
         case BridgeAction::StopEngines:
             return QKeySequence(Qt::Key_End);
         case BridgeAction::RudderPort:
