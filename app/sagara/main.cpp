@@ -7,6 +7,7 @@
 #include "app/files/AssetSource.h"
 #include "app/station/Doors.h"
 #include "app/station/Station.h"
+#include "app/station/WindowScale.h"
 #include "render/headless/HeadlessGl.h"
 
 int main(int argc, char** argv) {
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
     }
     auto store = run::Store::open(data);
     if (!store) return std::fprintf(stderr, "sagara: %s\n", store.error().c_str()), 2;
+    station::scaleWindows(**store, render::displayIsSet(), argc, argv);
     QApplication qt(argc, argv);
     QApplication::setApplicationName(QStringLiteral("Sagara"));
     render::StageOptions stage;

@@ -1,6 +1,7 @@
 #include "ui/settings/DisplaySection.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
@@ -49,8 +50,29 @@ DisplaySection::DisplaySection(SettingsStore& store, std::function<void(PaletteN
     (new QVBoxLayout(language))->addWidget(note(tr("English. No other language is installed.")));
     auto* const layout = new QVBoxLayout(this);
     layout->addWidget(group);
+    layout->addWidget(sizeGroup());
     layout->addWidget(language);
     layout->addStretch();
+}
+
+QWidget* DisplaySection::sizeGroup() {
+    auto* const group = new QGroupBox(tr("Size of text and controls"), this);
+    auto* const sizes = new QComboBox(group);
+    sizes->setObjectName(QStringLiteral("size"));
+    sizes->setToolTip(tr("In percent of the usual size"));
+    sizes->addItem(tr("As the monitor asks for"));
+    for (const int percent : kSizes_percent) sizes->addItem(tr("%1 %").arg(percent), percent);
+    const auto stored = storedSize_percent(m_store);
+    sizes->setCurrentIndex(stored ? sizes->findData(*stored) : 0);
+    connect(sizes, &QComboBox::activated, this, [this, sizes] {
+        const QVariant chosen = sizes->currentData();
+        storeSize_percent(m_store, chosen.isValid() ? std::optional(chosen.toInt()) : std::nullopt);
+    });
+    auto* const row = new QHBoxLayout(group);
+    row->addWidget(sizes);
+    row->addWidget(note(tr("Holds from the next start of Sagara on.")), 1);
+    row->setSpacing(16);
+    return group;
 }
 
 void DisplaySection::choose(PaletteName palette) {

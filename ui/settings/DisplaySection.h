@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace sagara::ui {
 
-/// Day, dusk or night.
+/// Day, dusk or night; how large everything is.
 class DisplaySection final : public Section {
     Q_OBJECT
 
@@ -20,6 +20,7 @@ public:
 
 private:
     void choose(PaletteName palette);
+    QWidget* sizeGroup();
     SettingsStore& m_store;
     std::function<void(PaletteName)> m_setPalette;
     std::array<QPushButton*, 3> m_choices{};

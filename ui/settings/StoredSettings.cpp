@@ -9,6 +9,7 @@ namespace sagara::ui {
 namespace {
 
 constexpr std::string_view kPalette = "display.palette";
+constexpr std::string_view kSize = "display.size_percent";
 constexpr std::string_view kMuted = "sound.muted";
 constexpr std::string_view kVolume = "sound.volume_percent";
 constexpr std::string_view kKeys = "input.keys";
@@ -40,6 +41,17 @@ PaletteName storedPalette(const SettingsStore& store) {
 
 void storePalette(SettingsStore& store, PaletteName palette) {
     store.put(kPalette, kPalettes[static_cast<std::size_t>(palette)]);
+}
+
+std::optional<int> storedSize_percent(const SettingsStore& store) {
+    const auto text = store.get(kSize);
+    for (const int percent : kSizes_percent)
+        if (text == std::to_string(percent)) return percent;
+    return std::nullopt;
+}
+
+void storeSize_percent(SettingsStore& store, std::optional<int> percent) {
+    store.put(kSize, percent ? std::to_string(*percent) : "automatic");
 }
 
 void applySettings(const SettingsStore& store, BridgeInput& input, SoundBoard& sound) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QKeySequence>
+#include <array>
+#include <optional>
 
 #include "ui/input/BridgeInput.h"
 #include "ui/settings/SettingsStore.h"
@@ -13,6 +15,12 @@ namespace sagara::ui {
 
 PaletteName storedPalette(const SettingsStore& store);
 void storePalette(SettingsStore& store, PaletteName palette);
+
+/// How large text and controls are, in percent of the usual; none: as the monitor asks for. Holds from the
+/// next start on, for Qt wants it before the first window.
+inline constexpr std::array kSizes_percent{100, 125, 150, 175, 200, 250, 300};
+std::optional<int> storedSize_percent(const SettingsStore& store);
+void storeSize_percent(SettingsStore& store, std::optional<int> percent);
 
 /// Once at the start of the program: controls, keys, NMEA, mute and volume as they were left.
 void applySettings(const SettingsStore& store, BridgeInput& input, SoundBoard& sound);

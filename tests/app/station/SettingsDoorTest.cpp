@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "app/station/Frame.h"
+#include "app/station/WindowScale.h"
 #include "tests/app/station/NoWindow.h"
 
 namespace sagara::station {
@@ -54,6 +55,16 @@ TEST_F(SettingsDoor, WhatIsSetOnThePageIsThereAtTheNextStart) {
     const auto kept = store();
     EXPECT_EQ(settingsStore(*kept)->get("demo.pin"), "2468");
     EXPECT_TRUE(settingsStore(*kept)->trouble().isEmpty());
+}
+
+TEST(WindowScale, IsTwoOnALargeMonitorThatTheDesktopLeavesAlone) {
+    EXPECT_DOUBLE_EQ(monitorScale({1280, 720}, 1.0, 96.0), 1.0);
+    EXPECT_DOUBLE_EQ(monitorScale({1920, 1200}, 1.0, 96.0), 1.0);
+    EXPECT_DOUBLE_EQ(monitorScale({2560, 1440}, 1.0, 96.0), 1.0);
+    EXPECT_DOUBLE_EQ(monitorScale({3840, 2160}, 1.0, 96.0), 2.0);
+    EXPECT_DOUBLE_EQ(monitorScale({3440, 1440}, 1.0, 96.0), 1.0);
+    EXPECT_DOUBLE_EQ(monitorScale({3840, 2160}, 1.0, 192.0), 1.0);
+    EXPECT_DOUBLE_EQ(monitorScale({1920, 1080}, 2.0, 96.0), 1.0);
 }
 
 TEST_F(SettingsDoor, WithoutADatabaseSettingsHoldAndThePageSaysHowLong) {

@@ -25,6 +25,7 @@ TEST(StoredSettings, ComeBackAsTheyWereLeft) {
         nmea.output_Hz = 4;
         storeNmea(store, nmea);
         storePalette(store, PaletteName::Night);
+        storeSize_percent(store, 150);
     }
     BridgeInput input;
     SoundBoard sound;
@@ -35,6 +36,9 @@ TEST(StoredSettings, ComeBackAsTheyWereLeft) {
     EXPECT_EQ(input.mapOf({0, "abc", {}, 2, 2, 0}).axes[1].use, AxisUse::Telegraph);
     EXPECT_EQ(input.nmea().settings().output_Hz, 4);
     EXPECT_EQ(storedPalette(store), PaletteName::Night);
+    EXPECT_EQ(storedSize_percent(store), 150);
+    storeSize_percent(store, std::nullopt);
+    EXPECT_EQ(storedSize_percent(store), std::nullopt);
     EXPECT_EQ(store.get("input.devices"), "abc def");
 }
 
