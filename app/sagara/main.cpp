@@ -50,13 +50,15 @@ int main(int argc, char** argv) {
     stage.headless = !render::displayIsSet();
     station::Station window(**store, stage);
     const bool trainee = role == "trainee";
-    // The first monitor is the trainer's.
-    if (const auto screens = QGuiApplication::screens(); trainee && screens.size() > 1)
-        window.setGeometry(screens[1]->geometry());
-    if (demo || fullScreen || trainee)
+    if (demo || fullScreen || trainee) {
+        // The first monitor is the trainer's. Geometry too: an exhibition's X server may have no window
+        // manager.
+        const auto screens = QGuiApplication::screens();
+        window.setGeometry(screens[trainee && screens.size() > 1 ? 1 : 0]->geometry());
         window.showFullScreen();
-    else
+    } else {
         window.show();
+    }
     const auto trouble = demo ? station::enterDemo(window, wall) : station::enter(window, role, request);
     if (trouble) return std::fprintf(stderr, "sagara: %s\n", trouble->c_str()), 2;
     return QApplication::exec();
