@@ -11,7 +11,7 @@
 namespace sagara::ui {
 namespace {
 
-constexpr int kIcon_px = 48, kCardWidth_px = 200;
+constexpr int kIcon_px = 48, kCardWidth_px = 200, kCardHeight_px = 380;
 
 QLabel* words(const QString& text, double scale, bool bold, QWidget* parent) {
     auto* const label = new QLabel(text, parent);
@@ -51,6 +51,7 @@ QWidget* HomePage::card(const Door& door) {
     auto* const card = new QFrame(this);
     card->setObjectName(QStringLiteral("card"));
     card->setMinimumWidth(kCardWidth_px);
+    card->setMaximumHeight(kCardHeight_px);
     auto* const layout = new QVBoxLayout(card);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(8);
