@@ -32,7 +32,7 @@ ListSpec markList() {
                                    QStringLiteral("m"), words("Above the water; empty: 4 m"), 4)),
                    optional(number("light.range_M", words("Range of the light"), 0.1, 40, QStringLiteral("M"),
                                    words("Nominal; empty: 4 M"), 4))};
-    spec.columns = {"name", "kind", "at", "light.character"};
+    spec.columns = {"name", "kind", "light.character"};
     return spec;
 }
 

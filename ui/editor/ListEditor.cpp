@@ -161,7 +161,7 @@ void ListEditor::insert(Json row, int before, const QString& what) {
         int number = m_model->rowCount() + 1;
         while (taken.contains(spec().idBase + "-" + std::to_string(number))) ++number;
         const Json id = spec().idBase + "-" + std::to_string(number);
-        if (row.contains("id")) row["id"] = id;
+        if (spec().field("id")) row["id"] = id;
     }
     if (spec().ownNames) {
         std::set<std::string> names;

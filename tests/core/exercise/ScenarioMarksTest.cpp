@@ -108,7 +108,7 @@ TEST(FreePlaces, SayWhatIsWrongWithThem) {
               "lesson.json: mission.tasks[3].to is \"atlantis\", expected a place of area galle, or a "
               "position with lat and lon");
     EXPECT_EQ(problemsOf(lessonWith("/mission/tasks/2/between", R"(["s_breakwater_head", 5])")),
-              "lesson.json: mission.tasks[2].between[1] is 5, expected a text");
+              "lesson.json: mission.tasks[2].between[1] is 5, expected a text that is not empty");
 }
 
 }  // namespace
