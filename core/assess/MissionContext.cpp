@@ -29,9 +29,13 @@ std::uint8_t MissionContext::readLines(config::Reader& in, const char* key) cons
 }
 
 NorthEast MissionContext::readPlace(config::Reader& in, const char* key) const {
+    const std::string member(key);
+    if (in.has(member + ".lat") || in.has(member + ".lon")) return area.frame.toLocal(in.geoPoint(key));
     const std::string id = in.text(key);
     if (const Place* place = area.findPlace(id)) return place->position;
-    if (!id.empty()) in.problem(key, "is \"" + id + "\"", "a place of area " + area.id);
+    if (!id.empty())
+        in.problem(key, "is \"" + id + "\"",
+                   "a place of area " + area.id + ", or a position with lat and lon");
     return {};
 }
 

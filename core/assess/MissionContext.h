@@ -22,7 +22,7 @@ struct MissionContext {
 
     /// Bit mask of the lines named in a list.
     std::uint8_t readLines(config::Reader& in, const char* key) const;
-    /// A place of the area, by its id.
+    /// A place of the area by its id, or a position {"lat", "lon"}.
     NorthEast readPlace(config::Reader& in, const char* key) const;
     /// Number of a waypoint, 1 for the first, as an index.
     std::size_t readWaypoint(config::Reader& in, const char* key) const;

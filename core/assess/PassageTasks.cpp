@@ -49,18 +49,16 @@ private:
 
 std::unique_ptr<const Task> makeGateTask(std::string id, std::string title, config::Reader& in,
                                          const MissionContext& context) {
-    std::vector<NorthEast> ends;
-    const std::vector<std::string> names = in.texts("between");
-    for (const std::string& name : names) {
-        const Place* place = context.area.findPlace(name);
-        if (!place) in.problem("between", "names \"" + name + "\"", "places of area " + context.area.id);
-        ends.push_back(place ? place->position : NorthEast{});
+    Segment gate;
+    const std::size_t count = in.list("between").size();
+    if (count != 2) {
+        in.problem("between", "names " + std::to_string(count) + " places", "two");
+    } else {
+        gate = {context.readPlace(in, "between[0]"), context.readPlace(in, "between[1]")};
     }
-    if (names.size() != 2) in.problem("between", "names " + std::to_string(names.size()) + " places", "two");
-    ends.resize(2);
     const NorthEast inside =
         context.route.waypoints.empty() ? NorthEast{} : context.route.waypoints.front().position;
-    return std::make_unique<GateTask>(std::move(id), std::move(title), Segment{ends[0], ends[1]}, inside);
+    return std::make_unique<GateTask>(std::move(id), std::move(title), gate, inside);
 }
 
 std::unique_ptr<const Task> makeTransitTask(std::string id, std::string title, config::Reader& in,

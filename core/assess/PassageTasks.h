@@ -4,7 +4,7 @@
 
 namespace sagara::core {
 
-/// "gate": midship crosses the line between two places of the area ("between": two ids), from the side of the
+/// "gate": midship crosses the line between two places ("between": two ids or positions), from the side of the
 /// first waypoint of the route.
 std::unique_ptr<const Task> makeGateTask(std::string id, std::string title, config::Reader& in,
                                          const MissionContext& context);

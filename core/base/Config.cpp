@@ -31,6 +31,25 @@ std::string join(std::span<const char* const> names) {
     return all;
 }
 
+/// What a key names in an object; null when there is nothing. A key may lead on: "near.lat", "between[1]".
+const json* valueAt(const json* value, std::string_view key) {
+    while (value && !key.empty()) {
+        if (key.front() == '[') {
+            std::size_t index = 0;
+            std::from_chars(key.data() + 1, key.data() + key.size(), index);
+            value = value->is_array() && index < value->size() ? &(*value)[index] : nullptr;
+            key.remove_prefix(key.find(']') + 1);
+        } else {
+            const std::string_view step = key.substr(0, key.find_first_of(".["));
+            const bool there = value->is_object() && value->contains(step);
+            value = there ? &*value->find(step) : nullptr;
+            key.remove_prefix(step.size());
+        }
+        if (key.starts_with('.')) key.remove_prefix(1);
+    }
+    return value;
+}
+
 }  // namespace
 
 std::string formatNumber(double value) {
@@ -105,10 +124,8 @@ std::string Reader::pathOf(std::string_view key) const {
 }
 
 const json* Reader::find(std::string_view key) {
-    m_known.emplace(key);
-    if (!m_node.m_json) return nullptr;
-    const auto it = m_node.m_json->find(key);
-    return it == m_node.m_json->end() ? nullptr : &*it;
+    m_known.emplace(key.substr(0, key.find_first_of(".[")));
+    return valueAt(m_node.m_json, key);
 }
 
 const json* Reader::require(std::string_view key, const char* expected) {
@@ -117,7 +134,7 @@ const json* Reader::require(std::string_view key, const char* expected) {
     return value;
 }
 
-bool Reader::has(std::string_view key) const { return m_node.m_json && m_node.m_json->contains(key); }
+bool Reader::has(std::string_view key) const { return valueAt(m_node.m_json, key) != nullptr; }
 
 void Reader::problem(std::string_view key, std::string found, std::string expected) {
     m_node.m_problems->add({pathOf(key), std::move(found), std::move(expected)});

@@ -72,8 +72,8 @@ private:
     int m_version = 0;
 };
 
-/// Reads the members of one object. A problem is noted and a harmless value returned; `Document::finish`
-/// refuses.
+/// Reads the members of one object; a key may lead on into one ("to.lat", "between[1]"). A problem is noted
+/// and a harmless value returned; `Document::finish` refuses.
 class Reader {
 public:
     explicit Reader(Node node);

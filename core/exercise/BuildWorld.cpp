@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "core/base/Angle.h"
@@ -8,6 +9,7 @@
 #include "core/exercise/StartCheck.h"
 #include "core/exercise/TrafficDocument.h"
 #include "core/exercise/World.h"
+#include "core/world/MarkDocument.h"
 
 /// Reading of the scenario document and everything that is worked out from it once.
 namespace sagara::core {
@@ -22,6 +24,8 @@ public:
 
     std::shared_ptr<World> build() {
         readIdentity();
+        std::vector<Mark> marks = readScenarioMarks(m_in, m_world->area);
+        std::move(marks.begin(), marks.end(), std::back_inserter(m_world->area.marks));
         m_world->tide = TidePrediction(m_world->area.meanTideLevel_m, m_world->area.tide, m_world->start);
         readWeather();
         readLevels();

@@ -3,7 +3,7 @@
 
 #include "core/base/Config.h"
 #include "core/base/Units.h"
-#include "core/world/Area.h"
+#include "core/world/MarkDocument.h"
 
 /// Reading of the area document. Positions are degrees in the file and frame N in the Area.
 namespace sagara::core {
@@ -172,33 +172,8 @@ private:
 
     Mark readMark(const config::Node& node) {
         config::Reader in(node);
-        Mark m;
-        m.id = in.text("id");
+        Mark m = core::readMark(in, m_frame);
         checkUnique(in, m.id);
-        m.name = in.text("name");
-        m.kind = in.choice<MarkKind>("kind", {{"lighthouse", MarkKind::Lighthouse},
-                                              {"lateral-port", MarkKind::LateralPort},
-                                              {"lateral-starboard", MarkKind::LateralStarboard},
-                                              {"cardinal-north", MarkKind::CardinalNorth},
-                                              {"cardinal-east", MarkKind::CardinalEast},
-                                              {"cardinal-south", MarkKind::CardinalSouth},
-                                              {"cardinal-west", MarkKind::CardinalWest},
-                                              {"isolated-danger", MarkKind::IsolatedDanger},
-                                              {"safe-water", MarkKind::SafeWater},
-                                              {"special", MarkKind::Special},
-                                              {"leading", MarkKind::Leading},
-                                              {"beacon", MarkKind::Beacon}});
-        m.position = m_frame.toLocal(in.geoPoint("at"));
-        m.floating = in.flagOr("floating", false);
-        m.fictional = in.flagOr("fictional", false);
-        if (in.has("light")) {
-            config::Reader light(in.child("light"));
-            m.light = Light{light.text("character"), light.number("height_m", {0.5, 300.0, "m"}),
-                            light.number("range_M", {0.1, 40.0, "M"})};
-            light.rejectUnknownKeys();
-        }
-        in.textOr("source", "");
-        in.rejectUnknownKeys();
         return m;
     }
 

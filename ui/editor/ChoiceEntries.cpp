@@ -99,10 +99,6 @@ ReferencesEntry::ReferencesEntry(EditorContext& context, const Field& field, con
 
 void ReferencesEntry::load() {
     const std::vector<std::string> chosen = textsOf(value());
-    field().count ? loadCombos(chosen) : loadBoxes(chosen);
-}
-
-void ReferencesEntry::loadBoxes(const std::vector<std::string>& chosen) {
     std::vector<Option> options = context().choices(field().source, path());
     for (const std::string& id : chosen) {
         if (std::none_of(options.begin(), options.end(), [&](const Option& o) { return o.value == id; }))
@@ -123,7 +119,7 @@ void ReferencesEntry::loadBoxes(const std::vector<std::string>& chosen) {
             check->setObjectName(nameOf(options[i]));
             check->setToolTip(tip());
             check->setProperty("value", QString::fromStdString(options[i].value));
-            connect(check, &QCheckBox::clicked, this, &ReferencesEntry::takeBoxes);
+            connect(check, &QCheckBox::clicked, this, &ReferencesEntry::take);
             m_grid->addWidget(check, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
             m_boxes.push_back(check);
         }
@@ -134,41 +130,15 @@ void ReferencesEntry::loadBoxes(const std::vector<std::string>& chosen) {
         m_boxes[i]->setChecked(std::find(chosen.begin(), chosen.end(), options[i].value) != chosen.end());
 }
 
-void ReferencesEntry::takeBoxes() {
+void ReferencesEntry::take() {
     Json all = Json::array();
     for (const QCheckBox* check : m_boxes)
         if (check->isChecked()) all.push_back(check->property("value").toString().toStdString());
     write(all.empty() && field().optional ? Json() : std::move(all));
 }
 
-void ReferencesEntry::loadCombos(const std::vector<std::string>& chosen) {
-    const std::vector<Option> options = context().choices(field().source, path());
-    while (m_combos.size() < field().count) {
-        auto* const combo = new QComboBox(this);
-        combo->setObjectName(QString::fromStdString(join(path(), m_combos.size())));
-        combo->setToolTip(tip());
-        combo->setPlaceholderText(words("choose"));
-        combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        combo->setMinimumContentsLength(12);
-        keepWheelForPage(*combo);
-        connect(combo, &QComboBox::currentIndexChanged, this, &ReferencesEntry::takeCombos);
-        m_grid->addWidget(combo, static_cast<int>(m_combos.size()), 0);
-        m_combos.push_back(combo);
-    }
-    for (std::size_t i = 0; i < m_combos.size(); ++i)
-        fillCombo(*m_combos[i], options, false,
-                  i < chosen.size() ? QString::fromStdString(chosen[i]) : QString());
-}
-
-void ReferencesEntry::takeCombos() {
-    Json all = Json::array();
-    for (const QComboBox* combo : m_combos) all.push_back(combo->currentData().toString().toStdString());
-    write(std::move(all));
-}
-
 void ReferencesEntry::focusEntry() {
     if (!m_boxes.empty()) m_boxes.front()->setFocus();
-    if (!m_combos.empty()) m_combos.front()->setFocus();
 }
 
 UtcEntry::UtcEntry(EditorContext& context, const Field& field, const std::string& path, QWidget* parent)

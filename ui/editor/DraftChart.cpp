@@ -5,6 +5,7 @@
 
 #include "core/base/Angle.h"
 #include "core/base/Units.h"
+#include "ui/editor/DraftMarks.h"
 #include "ui/editor/FieldText.h"
 
 namespace sagara::ui::editor {
@@ -30,13 +31,14 @@ public:
     DraftPicture draw() {
         drawShips();
         drawRoute();
+        drawMarks();
         drawTraffic();
         drawEvents();
         drawTasks();
         drawCriteria();
         for (std::size_t i = 0; i < m_picture.handles.size(); ++i)
-            m_picture.scene.handles.push_back(
-                {static_cast<int>(i), m_picture.handles[i].position, m_picture.handles[i].hint});
+            m_picture.scene.handles.push_back({static_cast<int>(i), m_picture.handles[i].position,
+                                               m_picture.handles[i].hint, m_picture.handles[i].open});
         return std::move(m_picture);
     }
 
@@ -45,8 +47,9 @@ private:
         const auto place = positionOf(find(m_document, path));
         return place ? std::optional(m_area.frame.toLocal(*place)) : std::nullopt;
     }
-    const core::Place* place(const std::string& path) const {
-        return m_area.findPlace(textAt(m_document, path));
+    std::optional<NorthEast> place(const std::string& path) const {
+        if (const core::Place* named = m_area.findPlace(textAt(m_document, path))) return named->position;
+        return point(path);
     }
     bool open(const char* section) const { return m_section == section; }
     bool chosen(const std::string& row) const { return within(m_context.selected(), row); }
@@ -54,7 +57,7 @@ private:
         return QString::fromStdString(textAt(m_document, join(row, key)));
     }
     void handle(Kind kind, std::string path, NorthEast position, const QString& hint, NorthEast centre = {}) {
-        m_picture.handles.push_back({kind, std::move(path), position, centre, hint});
+        m_picture.handles.push_back({kind, std::move(path), position, centre, hint, false});
     }
 
     std::optional<Pose> shipPose(const std::string& row, double beam_m) const {
@@ -127,6 +130,20 @@ private:
         }
     }
 
+    void drawMarks() {
+        m_picture.scene.ialaRegion = m_area.ialaRegion;
+        for (std::size_t i = 0; i < sizeAt(m_document, "marks"); ++i) {
+            const std::string row = join("marks", i), at = join(row, "at");
+            const auto place = point(at);
+            core::Mark mark = markOf(*find(m_document, row), m_area.frame);
+            mark.position = place.value_or(NorthEast{1e7, 1e7});  // keeps its place in the list
+            m_picture.scene.marks.push_back(std::move(mark));
+            if (!place || !open("marks")) continue;
+            handle(Kind::Point, at, *place, words("Drag %1").arg(name(row, "name")));
+            m_picture.handles.back().open = true;
+        }
+    }
+
     void drawTraffic() {
         for (std::size_t i = 0; i < sizeAt(m_document, "traffic"); ++i) {
             const std::string row = join("traffic", i), points = join(row, "route");
@@ -164,36 +181,35 @@ private:
 
     void circle(const QString& title, ChartZone::Kind kind, const std::string& placePath,
                 const std::string& radiusPath, bool miles, bool draggable) {
-        const core::Place* at = place(placePath);
+        const auto at = place(placePath);
         if (!at) return;
         ChartZone zone;
         zone.id = static_cast<int>(m_picture.scene.zones.size());
         zone.name = title;
         zone.kind = kind;
-        zone.centre = at->position;
+        zone.centre = *at;
         zone.radius_m = (miles ? core::kNauticalMile_m : 1.0) * numberAt(m_document, radiusPath, 0.0);
         if (zone.radius_m > 0.0) m_picture.scene.zones.push_back(zone);
         if (!draggable) return;
-        handle(Kind::Place, placePath, at->position, words("%1: drag to another place").arg(title));
+        handle(Kind::Place, placePath, *at, words("%1: drag; near a named place it takes that").arg(title));
         if (zone.radius_m > 0.0)
             handle(miles ? Kind::RadiusMiles : Kind::RadiusMetres, radiusPath,
-                   at->position + NorthEast{0.0, zone.radius_m},
-                   words("%1: drag to change the radius").arg(title), at->position);
+                   *at + NorthEast{0.0, zone.radius_m}, words("%1: drag to change the radius").arg(title),
+                   *at);
     }
 
     void gate(const QString& title, const std::string& between) {
-        const core::Place *a = place(join(between, std::size_t{0})),
-                          *b = place(join(between, std::size_t{1}));
+        const auto a = place(join(between, std::size_t{0})), b = place(join(between, std::size_t{1}));
         if (!a || !b) return;
         ChartZone zone;
         zone.id = static_cast<int>(m_picture.scene.zones.size());
         zone.name = title;
-        zone.corners = {a->position, b->position};
+        zone.corners = {*a, *b};
         m_picture.scene.zones.push_back(zone);
         if (!open("tasks")) return;
         for (std::size_t i = 0; i < 2; ++i)
             handle(Kind::Place, join(between, i), zone.corners[i],
-                   words("%1: drag to another place").arg(title));
+                   words("%1: drag; near a named place it takes that").arg(title));
     }
 
     void drawEvents() {
@@ -258,6 +274,18 @@ void dragAlongside(Json& document, const core::Area& area, const std::string& sh
     put(document, join(ship, "berth.along_m"), std::round(along_m));
 }
 
+/// The nearest, or null.
+const core::Place* placeWithin(const core::Area& area, NorthEast at, double reach_m) {
+    const core::Place* nearest = nullptr;
+    for (const core::Place& place : area.places) {
+        const double away_m = core::distance(place.position, at);
+        if (away_m > reach_m) continue;
+        nearest = &place;
+        reach_m = away_m;
+    }
+    return nearest;
+}
+
 }  // namespace
 
 DraftPicture pictureOf(const EditorContext& context, const std::string& section) {
@@ -265,7 +293,7 @@ DraftPicture pictureOf(const EditorContext& context, const std::string& section)
     return Drawer(context, section).draw();
 }
 
-void drag(Json& document, const core::Area& area, const DraftHandle& handle, NorthEast to) {
+void drag(Json& document, const core::Area& area, const DraftHandle& handle, NorthEast to, double snap_m) {
     const double from_m = core::distance(handle.centre, to);
     switch (handle.kind) {
         case Kind::Point:
@@ -284,11 +312,8 @@ void drag(Json& document, const core::Area& area, const DraftHandle& handle, Nor
             dragAlongside(document, area, handle.path, to);
             break;
         case Kind::Place: {
-            const auto nearest =
-                std::min_element(area.places.begin(), area.places.end(), [to](const auto& a, const auto& b) {
-                    return core::distance(a.position, to) < core::distance(b.position, to);
-                });
-            if (nearest != area.places.end()) put(document, handle.path, nearest->id);
+            const core::Place* const named = placeWithin(area, to, snap_m);
+            put(document, handle.path, named ? Json(named->id) : positionJson(area.frame.toGeo(to)));
             break;
         }
         case Kind::RadiusMiles:

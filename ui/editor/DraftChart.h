@@ -12,7 +12,7 @@ struct DraftHandle {
         Ship,          ///< `path` is an own ship at sea
         Heading,       ///< `path` is an own ship at sea
         ShipAtBerth,   ///< `path` is an own ship alongside: she goes along the berth, or to a nearer one
-        Place,         ///< `path` names a place of the area: the nearest one
+        Place,         ///< `path` is a place: a position, or the name of one of the area
         RadiusMiles,   ///< `path` is a number
         RadiusMetres,  ///< `path` is a number
     };
@@ -21,6 +21,7 @@ struct DraftHandle {
     core::NorthEast position;
     core::NorthEast centre;  ///< of a radius or heading
     QString hint;
+    bool open = false;  ///< see ChartHandle
 };
 
 struct DraftPicture {
@@ -32,6 +33,8 @@ struct DraftPicture {
 /// Nothing before the area is read.
 DraftPicture pictureOf(const EditorContext& context, const std::string& section);
 
-void drag(Json& document, const core::Area& area, const DraftHandle& handle, core::NorthEast to);
+/// What comes as near as `snap_m` to a named place of the area takes its name.
+void drag(Json& document, const core::Area& area, const DraftHandle& handle, core::NorthEast to,
+          double snap_m);
 
 }  // namespace sagara::ui::editor

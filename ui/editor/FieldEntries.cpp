@@ -11,6 +11,7 @@
 
 #include "ui/editor/FieldText.h"
 #include "ui/editor/ListEditor.h"
+#include "ui/editor/PlaceEntry.h"
 
 namespace sagara::ui::editor {
 
@@ -188,6 +189,10 @@ FieldEditor* makeFieldEditor(EditorContext& context, const Field& field, const s
         case FieldKind::Choice:
         case FieldKind::Reference:
             return new ChoiceEntry(context, field, path, parent);
+        case FieldKind::Place:
+            return new PlaceEntry(context, field, path, parent);
+        case FieldKind::Places:
+            return new PlacesEntry(context, field, path, parent);
         case FieldKind::References:
             return new ReferencesEntry(context, field, path, parent);
         case FieldKind::Numbers:

@@ -62,7 +62,7 @@ private:
     QComboBox* m_combo;
 };
 
-/// Check boxes for some of what there is, or so many combo boxes.
+/// Check boxes for some of what there is.
 class ReferencesEntry final : public FieldEditor {
     Q_OBJECT
 public:
@@ -71,13 +71,9 @@ public:
     void focusEntry() override;
 
 private:
-    void loadBoxes(const std::vector<std::string>& chosen);
-    void loadCombos(const std::vector<std::string>& chosen);
-    void takeBoxes();
-    void takeCombos();
+    void take();
     QGridLayout* m_grid;
     std::vector<QCheckBox*> m_boxes;
-    std::vector<QComboBox*> m_combos;
 };
 
 class NumbersEntry final : public FieldEditor {

@@ -46,6 +46,16 @@ const Field* ListSpec::field(const std::string& key) const {
 
 QString words(const char* text) { return QCoreApplication::translate("editor", text); }
 
+std::string freshName(const std::string& name, const std::set<std::string>& taken) {
+    if (!taken.contains(name)) return name;
+    const std::size_t last = name.find_last_not_of("0123456789");
+    const bool numbered = last != std::string::npos && last + 1 < name.size();
+    const std::string base = numbered ? name.substr(0, last + 1) : name + " ";
+    int number = 2;
+    while (taken.contains(base + std::to_string(number))) ++number;
+    return base + std::to_string(number);
+}
+
 Field text(std::string key, QString label, QString hint, QString initial) {
     Field f = made(std::move(key), std::move(label), FieldKind::Text, std::move(hint));
     f.initial = initial.toStdString();
@@ -91,15 +101,24 @@ Field reference(std::string key, QString label, Source source, QString hint) {
     return f;
 }
 
-Field references(std::string key, QString label, Source source, std::size_t count, QString hint) {
+Field references(std::string key, QString label, Source source, QString hint) {
     Field f = made(std::move(key), std::move(label), FieldKind::References, std::move(hint));
     f.source = source;
-    f.count = count;
     return f;
 }
 
 Field position(std::string key, QString label, QString hint) {
     return made(std::move(key), std::move(label), FieldKind::Position, std::move(hint));
+}
+
+Field place(std::string key, QString label, QString hint) {
+    return made(std::move(key), std::move(label), FieldKind::Place, std::move(hint));
+}
+
+Field places(std::string key, QString label, std::size_t count, QString hint) {
+    Field f = made(std::move(key), std::move(label), FieldKind::Places, std::move(hint));
+    f.count = count;
+    return f;
 }
 
 Field numbers(std::string key, QString label, std::size_t count, double low, double high, QString unit,

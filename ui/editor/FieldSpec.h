@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "ui/editor/Json.h"
@@ -25,8 +26,10 @@ enum class FieldKind {
     Flag,
     Choice,      ///< one of `options`
     Reference,   ///< one of what `source` has
-    References,  ///< some of what `source` has; `count` of them when that is not 0
+    References,  ///< some of what `source` has
     Position,    ///< {"lat", "lon"}
+    Place,       ///< a place of the area, or a position
+    Places,      ///< `count` of them
     Numbers,     ///< `count` numbers; one for each shaft when that is 0
     Utc,
     List
@@ -85,6 +88,7 @@ struct ListSpec {
     std::vector<Variant> variants;
     std::vector<std::string> columns;  ///< keys; "*" is all the rest in words
     bool form = true;                  ///< the chosen row has a form below the table; else only cells
+    bool ownNames = false;             ///< each row has a "name" that no other has
     std::size_t fixed = 0;             ///< exactly so many rows
     Json parent;                       ///< of the list, made with its first row and gone with its last
 
@@ -95,6 +99,9 @@ struct ListSpec {
 
 QString words(const char* text);
 
+/// The name itself, or with the next number at its end that is free: "Buoy 1" -> "Buoy 2".
+std::string freshName(const std::string& name, const std::set<std::string>& taken);
+
 Field text(std::string key, QString label, QString hint, QString initial = {});
 Field longText(std::string key, QString label, QString hint);
 Field idField(QString hint);
@@ -104,8 +111,10 @@ Field integer(std::string key, QString label, int low, int high, QString hint, J
 Field flag(std::string key, QString label, QString hint);
 Field choice(std::string key, QString label, std::vector<Option> options, QString hint);
 Field reference(std::string key, QString label, Source source, QString hint);
-Field references(std::string key, QString label, Source source, std::size_t count, QString hint);
+Field references(std::string key, QString label, Source source, QString hint);
 Field position(std::string key, QString label, QString hint);
+Field place(std::string key, QString label, QString hint);
+Field places(std::string key, QString label, std::size_t count, QString hint);
 Field numbers(std::string key, QString label, std::size_t count, double low, double high, QString unit,
               QString hint, Json initial);
 Field list(std::string key, QString label, ListSpec spec, QString hint);

@@ -43,7 +43,10 @@ QString inWords(const Field& field, const Json& value) {
     }
     if (value.is_array()) {
         QStringList all;
-        for (const Json& item : value) all << plain(item);
+        for (const Json& item : value) {
+            const auto place = positionOf(&item);
+            all << (place ? positionText(*place) : plain(item));
+        }
         return all.join(QStringLiteral(", "));
     }
     if (field.kind == FieldKind::Flag) return {};
@@ -90,7 +93,7 @@ std::optional<core::GeoPoint> positionOf(const Json* value) {
 
 QString shown(const Field& field, const Json* value) {
     if (!value || value->is_null()) return {};
-    if (field.kind == FieldKind::Position) {
+    if (field.kind == FieldKind::Position || field.kind == FieldKind::Place) {
         const auto place = positionOf(value);
         return place ? positionText(*place) : plain(*value);
     }

@@ -22,6 +22,7 @@ namespace sagara::ui::editor {
 namespace {
 
 constexpr int kFewestRows = 2, kMostRows = 7;
+constexpr double kApart_deg = 0.002;  ///< between the ends of a new gate
 
 bool nested(const std::string& path) { return path.find('[') != std::string::npos; }
 
@@ -122,19 +123,24 @@ Json ListEditor::newRow(const Variant* variant) const {
     for (const Field& f : fields) {
         const std::string where = join(at, f.key);
         if (f.optional && spec().form) continue;
-        if (f.kind == FieldKind::Position) {
+        if (f.kind == FieldKind::Position || f.kind == FieldKind::Place) {
             put(row, f.key, positionJson(context().newPlace()));
+        } else if (f.kind == FieldKind::Places) {
+            Json all = Json::array();
+            for (std::size_t i = 0; i < f.count; ++i) {
+                core::GeoPoint place = context().newPlace();
+                place.lon_deg +=
+                    kApart_deg * (static_cast<double>(i) - 0.5 * static_cast<double>(f.count - 1));
+                all.push_back(positionJson(place));
+            }
+            put(row, f.key, std::move(all));
         } else if (f.kind == FieldKind::Reference) {
             const std::vector<Option> options = context().choices(f.source, where);
             if (options.empty()) continue;
             const std::string& first = options.front().value;
             put(row, f.key, f.source == Source::Waypoint ? Json(std::stoi(first)) : Json(first));
         } else if (f.kind == FieldKind::References) {
-            Json some = Json::array();
-            const std::vector<Option> options = context().choices(f.source, where);
-            for (std::size_t i = 0; i < std::min(f.count, options.size()); ++i)
-                some.push_back(options[i].value);
-            put(row, f.key, std::move(some));
+            put(row, f.key, Json::array());
         } else if (f.kind == FieldKind::Numbers && f.initial.is_null()) {
             put(row, f.key, Json(std::vector<int>(context().shafts(where), 0)));
         }
@@ -155,7 +161,13 @@ void ListEditor::insert(Json row, int before, const QString& what) {
         int number = m_model->rowCount() + 1;
         while (taken.contains(spec().idBase + "-" + std::to_string(number))) ++number;
         const Json id = spec().idBase + "-" + std::to_string(number);
-        if (row.contains("id")) row["id"] = id;
+        if (spec().field("id")) row["id"] = id;
+    }
+    if (spec().ownNames) {
+        std::set<std::string> names;
+        for (int i = 0; i < m_model->rowCount(); ++i)
+            names.insert(textAt(context().draft().document(), join(rowPath(i), "name")));
+        row["name"] = freshName(textAt(row, "name"), names);
     }
     const int at = before < 0 ? m_model->rowCount() : before;
     context().draft().edit(what, [&](Json& document) {

@@ -23,7 +23,7 @@ ListSpec speedZoneList() {
     spec.variants = {
         {"near",
          words("about a place"),
-         {reference("near", words("Place"), Source::Place, words("Drag the circle on the chart to another")),
+         {place("near", words("Place"), words("Of the area, or a position: drag the circle on the chart")),
           number("within_M", words("within"), 0.01, 20, kMile, words("Radius; drag its edge"), 0.5), speed}},
         {"toWaypoint",
          words("up to a waypoint"),
@@ -42,7 +42,7 @@ ListSpec taskList() {
     spec.variants = {
         {"spring-off",
          words("Spring off"),
-         {references("keep", words("Lines to keep"), Source::Line, 0,
+         {references("keep", words("Lines to keep"), Source::Line,
                      words("To spring off on; all others are in")),
           number("swing_deg", words("Swing"), 2, 90, kDegrees, words("Of her heading from where she lay"),
                  12)}},
@@ -52,15 +52,15 @@ ListSpec taskList() {
                  words("Of quays and shore, all lines in"), 20)}},
         {"gate",
          words("Pass a gate"),
-         {references("between", words("Between"), Source::Place, 2,
-                     words("Two places; away from the route's start"))}},
+         {places("between", words("Between"), 2,
+                 words("Two places; passed away from the route's start. Drag them on the chart"))}},
         {"transit",
          words("Reach a place"),
-         {reference("to", words("Place"), Source::Place, words("Drag the circle on the chart to another")),
+         {place("to", words("Place"), words("Of the area, or a position: drag the circle on the chart")),
           number("within_M", words("within"), 0.01, 10, kMile, words("Radius; drag its edge"), 0.2)}},
         {"anchor",
          words("Anchor"),
-         {reference("at", words("Place"), Source::Place, words("Drag the circle on the chart to another")),
+         {place("at", words("Place"), words("Of the area, or a position: drag the circle on the chart")),
           number("within_m", words("Anchor within"), 1, 2000, kM, words("Radius; drag its edge"), 75),
           numbers("shackles", words("Cable, least and most"), 2, 0.5, 20, words("shackles"),
                   words("Of 27.5 m"), Json::array({4, 5})),
@@ -85,8 +85,7 @@ ListSpec criterionList() {
                words("And again for each half minute it lasts"), 5),
         flag("fails", words("A breach fails the run"), words("Whatever the score"))};
     spec.kindKey = "kind";
-    const Field place =
-        reference("at", words("Mark"), Source::Place, words("Where the anchor is to be let go"));
+    const Field place = editor::place("at", words("Mark"), words("Where the anchor is to be let go"));
     const Field from =
         reference("fromWaypoint", words("From waypoint"), Source::Waypoint, words("Of the route"));
     const Field to = reference("toWaypoint", words("To waypoint"), Source::Waypoint, words("Of the route"));

@@ -127,7 +127,7 @@ ListSpec pilotList() {
     spec.one = words("step");
     spec.kindKey = "do";
     const auto lines = [](const char* key, const QString& label) {
-        return optional(references(key, label, Source::Line, 0, words("Lines of the first own ship")));
+        return optional(references(key, label, Source::Line, words("Lines of the first own ship")));
     };
     spec.variants = {
         {"lines",
@@ -160,7 +160,7 @@ ListSpec pilotList() {
           list("speeds", words("Speeds"), speedZoneList(), words("The lowest that holds counts"))}},
         {"anchor",
          words("Anchor"),
-         {reference("at", words("Place"), Source::Place, words("Where the anchor is let go")),
+         {place("at", words("Place"), words("Where the anchor is let go")),
           reference("anchor", words("Anchor"), Source::Anchor, words("Of the first own ship")),
           number("first_shackles", words("First brake at"), 0.5, 20, words("shackles"), words("Of 27.5 m"),
                  2),

@@ -4,6 +4,7 @@
 
 #include "core/assess/MissionContext.h"
 #include "core/exercise/ScenarioVersion.h"
+#include "ui/editor/DraftMarks.h"
 
 namespace sagara::ui::editor {
 namespace {
@@ -207,8 +208,8 @@ Section events() {
         flag("when.command", words("By hand"), words("Only the trainer, or an order, makes it happen")),
         optional(number("when.time_s", words("At time"), 0, 86400, QStringLiteral("s"),
                         words("Since the start; empty: not by time"), 60)),
-        optional(reference("when.near", words("When she is near"), Source::Place,
-                           words("A place of the area; drag the circle on the chart to another"))),
+        optional(place("when.near", words("When she is near"),
+                       words("A place of the area, or a position: drag the circle on the chart"))),
         optional(number("when.within_M", words("within"), 0.01, 50, QStringLiteral("M"),
                         words("Radius of the circle; drag its edge"), 0.2)),
         list("orders", words("What then happens"), orderList(), words("All at the same moment"))};
@@ -266,6 +267,7 @@ std::vector<Section> scenarioSections() {
             weather(),
             levels(),
             route(),
+            marksSection(),
             traffic(),
             events(),
             mission(),

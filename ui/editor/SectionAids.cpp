@@ -1,18 +1,29 @@
 #include "ui/editor/SectionAids.h"
 
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <cmath>
 
 #include "core/assess/MissionContext.h"
 #include "core/base/Units.h"
 #include "core/sea/Beaufort.h"
 #include "ui/chart/Format.h"
+#include "ui/chart/Marks.h"
+#include "ui/editor/DraftMarks.h"
 #include "ui/editor/FieldEntries.h"
+#include "ui/widgets/ChartPalette.h"
 
 namespace sagara::ui::editor {
+namespace {
+
+constexpr int kIcon_px = 22, kColumns = 3;
+
+}  // namespace
 
 WeatherAid::WeatherAid(EditorContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_beaufort(new QComboBox(this)), m_says(new QLabel(this)) {
@@ -103,6 +114,60 @@ void LevelsAid::load() {
         html += QStringLiteral("</p>");
     }
     m_says->setText(html);
+}
+
+MarksAid::MarksAid(EditorContext& context, QWidget* parent)
+    : QWidget(parent), m_context(context), m_buttons(new QButtonGroup(this)) {
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 4);
+    grid->setSpacing(4);
+    const std::vector<Option>& kinds = markKinds();
+    m_kind = kinds.front().value;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        auto* const button = new QToolButton(this);
+        button->setObjectName(QString::fromStdString("mark-kind." + kinds[i].value));
+        button->setText(kinds[i].label);
+        button->setToolTip(words("Click on the chart to place: %1").arg(kinds[i].label));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setIconSize({kIcon_px, kIcon_px});
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        grid->addWidget(button, static_cast<int>(i) / kColumns, static_cast<int>(i) % kColumns);
+        m_buttons->addButton(button, static_cast<int>(i));
+    }
+    connect(m_buttons, &QButtonGroup::idClicked, this, [this](int index) {
+        m_kind = markKinds()[static_cast<std::size_t>(index)].value;
+        Q_EMIT kindChosen();
+    });
+    connect(&context, &EditorContext::coloursChanged, this, &MarksAid::paintIcons);
+    connect(&context, &EditorContext::areaChanged, this, &MarksAid::paintIcons);
+    paintIcons();
+}
+
+void MarksAid::setAdding(bool on) {
+    m_buttons->setExclusive(on);
+    for (QAbstractButton* button : m_buttons->buttons())
+        button->setChecked(on && button->objectName() == QString::fromStdString("mark-kind." + m_kind));
+}
+
+/// As the chart draws them.
+void MarksAid::paintIcons() {
+    const core::Area* const area = m_context.area().get();
+    const std::string region = area ? area->ialaRegion : "A";
+    const double ratio = devicePixelRatioF();
+    for (QAbstractButton* button : m_buttons->buttons()) {
+        const std::string& kind = markKinds()[static_cast<std::size_t>(m_buttons->id(button))].value;
+        QPixmap picture(QSizeF(ratio * kIcon_px, ratio * kIcon_px).toSize());
+        picture.setDevicePixelRatio(ratio);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const core::Mark mark = markOf(Json{{"kind", kind}}, core::LocalFrame({}));
+        chart::drawMark(painter, {0.5 * kIcon_px, 0.5 * kIcon_px}, chart::chartMarkOf(mark, region),
+                        0.72 * kIcon_px, chartPalette(m_context.colours()).marks);
+        painter.end();
+        button->setIcon(QIcon(picture));
+    }
 }
 
 }  // namespace sagara::ui::editor

@@ -4,6 +4,7 @@
 
 #include "ui/editor/EditorContext.h"
 
+class QButtonGroup;
 class QComboBox;
 class QLabel;
 
@@ -34,6 +35,26 @@ private:
     void load();
     EditorContext& m_context;
     QLabel* m_says;
+};
+
+/// VIEW above the marks: what the next click on the chart puts there.
+class MarksAid final : public QWidget {
+    Q_OBJECT
+public:
+    MarksAid(EditorContext& context, QWidget* parent);
+
+    const std::string& kind() const { return m_kind; }
+    /// Whether clicks on the chart put marks there: only then one is shown as chosen.
+    void setAdding(bool on);
+
+Q_SIGNALS:
+    void kindChosen();
+
+private:
+    void paintIcons();
+    EditorContext& m_context;
+    QButtonGroup* m_buttons;
+    std::string m_kind;
 };
 
 }  // namespace sagara::ui::editor

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/editor/DraftMarks.h"
 #include "ui/editor/DryRunPanel.h"
 #include "ui/editor/FieldText.h"
 #include "ui/editor/ObjectForm.h"
@@ -24,7 +25,8 @@ namespace sagara::ui::editor {
 namespace {
 
 constexpr int kSections_px = 150, kForm_px = 440;
-constexpr int kLaidOut_ms = 60;  ///< the form of a row just chosen has its place then
+constexpr double kSnap_px = 10.0;  ///< so near a named place the place itself is meant
+constexpr int kLaidOut_ms = 60;    ///< the form of a row just chosen has its place then
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* const label = new QLabel(text, parent);
@@ -85,6 +87,8 @@ Workbench::Workbench(EditorContext& context, QWidget* parent)
         dragged(handle, to);
         m_context.draft().endGoing();
         refreshChart();
+        const std::string& path = m_picture.handles[static_cast<std::size_t>(handle)].path;
+        if (section() == "marks") page().form->reveal(parentOf(path));
     });
     connect(m_chart, &ChartWidget::clicked, this, &Workbench::clicked);
     connect(m_chart, &ChartWidget::picked, this, [this](const ChartPick& pick) {
@@ -92,6 +96,7 @@ Workbench::Workbench(EditorContext& context, QWidget* parent)
         if (pick.kind == ChartPick::Kind::OwnShip) reveal(join("ownShips", pick.index));
         if (pick.kind == ChartPick::Kind::Target) reveal(join("traffic", pick.index));
         if (pick.kind == ChartPick::Kind::Waypoint) reveal(join("route.waypoints", pick.index));
+        if (pick.kind == ChartPick::Kind::SceneMark) reveal(join("marks", pick.index));
     });
     connect(m_dryRun, &DryRunPanel::trackChanged, this, &Workbench::refreshChart);
     connect(m_dryRun, &DryRunPanel::placeChosen, m_chart, &ChartWidget::centreOn);
@@ -123,6 +128,7 @@ void Workbench::addPages() {
         QWidget* above = nullptr;
         if (s.id == "weather") above = new WeatherAid(m_context, this);
         if (s.id == "levels") above = new LevelsAid(m_context, this);
+        if (s.id == "marks") above = m_marks = new MarksAid(m_context, this);
         m_pages.push_back({page(s.title, s.about, above, form), form});
         m_list->addItem(s.title);
     }
@@ -162,11 +168,13 @@ void Workbench::addChartTools(QWidget& bar) {
             m_chart, &ChartWidget::fitArea);
     connect(button("show-scenario", words("Scenario"), words("Show the route and the own ships")),
             &QToolButton::clicked, this, &Workbench::fitToDraft);
-    m_add = button(
-        "chart-add", words("Add by click"),
-        words("Route: each click is a waypoint after the chosen one. Traffic: the next point of the chosen "
-              "ship. Own ship: puts her there"));
+    m_add = button("chart-add", words("Add by click"),
+                   words("Route: each click is a waypoint after the chosen one. Marks: a mark of the chosen "
+                         "kind. Traffic: "
+                         "the next point of the chosen ship. Own ship: puts her there"));
     m_add->setCheckable(true);
+    connect(m_add, &QToolButton::toggled, m_marks, &MarksAid::setAdding);
+    connect(m_marks, &MarksAid::kindChosen, m_add, [this] { m_add->setChecked(true); });
     auto* const range =
         button("chart-range", words("Range and bearing"), words("Drag a line on the chart (Esc ends)"));
     range->setCheckable(true);
@@ -189,6 +197,10 @@ void Workbench::setColours(PaletteName colours) {
 const std::string& Workbench::section() const {
     const auto row = static_cast<std::size_t>(std::max(0, m_list->currentRow()));
     return row < m_sections.size() ? m_sections[row].id : m_dryRunId;
+}
+
+const Workbench::Page& Workbench::page() const {
+    return m_pages[static_cast<std::size_t>(m_list->currentRow())];
 }
 
 void Workbench::begin() {
@@ -219,7 +231,8 @@ void Workbench::reveal(const std::string& path) {
 
 void Workbench::loadPage() {
     const auto row = static_cast<std::size_t>(std::max(0, m_list->currentRow()));
-    const bool addable = section() == "route" || section() == "traffic" || section() == "ownShips";
+    const bool addable =
+        section() == "route" || section() == "marks" || section() == "traffic" || section() == "ownShips";
     m_add->setEnabled(addable);
     if (!addable) m_add->setChecked(false);
     if (row >= m_pages.size() || !m_pages[row].form) return;
@@ -276,7 +289,10 @@ void Workbench::dragged(int handle, core::NorthEast to) {
         return;
     const DraftHandle what = m_picture.handles[static_cast<std::size_t>(handle)];
     m_context.draft().edit(
-        words("drag on the chart"), [&](Json& document) { drag(document, *m_context.area(), what, to); },
+        words("drag on the chart"),
+        [&](Json& document) {
+            drag(document, *m_context.area(), what, to, m_chart->view().toMetres(kSnap_px));
+        },
         QStringLiteral("drag ") + QString::fromStdString(what.path));
 }
 
@@ -285,15 +301,16 @@ void Workbench::clicked(core::NorthEast place) {
     const core::GeoPoint geo = m_context.area()->frame.toGeo(place);
     if (section() == "route") addWaypoint(geo);
     if (section() == "traffic") addTargetPoint(geo);
+    if (section() == "marks") addMark(geo);
     if (section() != "ownShips") return;
     const std::string ship = m_context.selected().starts_with("ownShips[")
                                  ? m_context.selected().substr(0, m_context.selected().find(']') + 1)
                                  : std::string("ownShips[0]");
     const bool alongside = m_context.draft().at(join(ship, "berth")) != nullptr;
     const DraftHandle handle{
-        alongside ? DraftHandle::Kind::ShipAtBerth : DraftHandle::Kind::Ship, ship, {}, {}, {}};
+        alongside ? DraftHandle::Kind::ShipAtBerth : DraftHandle::Kind::Ship, ship, {}, {}, {}, false};
     m_context.draft().edit(words("own ship placed"),
-                           [&](Json& document) { drag(document, *m_context.area(), handle, place); });
+                           [&](Json& document) { drag(document, *m_context.area(), handle, place, 0.0); });
 }
 
 /// After the chosen one, with the limits of the one before it.
@@ -316,7 +333,7 @@ void Workbench::addWaypoint(core::GeoPoint place) {
         all.insert(all.begin() + static_cast<std::ptrdiff_t>(at), std::move(row));
         put(document, path, std::move(all));
     });
-    m_pages[static_cast<std::size_t>(m_list->currentRow())].form->reveal(join(path, at));
+    page().form->reveal(join(path, at));
 }
 
 void Workbench::addTargetPoint(core::GeoPoint place) {
@@ -331,6 +348,16 @@ void Workbench::addTargetPoint(core::GeoPoint place) {
         all.push_back(std::move(row));
         put(document, path, std::move(all));
     });
+}
+
+void Workbench::addMark(core::GeoPoint place) {
+    const std::size_t count = sizeAt(m_context.draft().document(), "marks");
+    m_context.draft().edit(words("new mark"), [&](Json& document) {
+        Json all = count == 0 ? Json::array() : *editor::find(document, "marks");
+        all.push_back(newMark(document, m_marks->kind(), place));
+        put(document, "marks", std::move(all));
+    });
+    page().form->reveal(join("marks", count));
 }
 
 }  // namespace sagara::ui::editor

@@ -19,6 +19,7 @@ class ChartWidget;
 namespace sagara::ui::editor {
 
 class DryRunPanel;
+class MarksAid;
 class ObjectForm;
 class ProblemList;
 
@@ -45,6 +46,7 @@ private:
     void addPages();
     void addChartTools(QWidget& bar);
     const std::string& section() const;
+    const Page& page() const;  ///< that is open
     void loadPage();
     void refreshChart();
     void areaRead();
@@ -53,6 +55,7 @@ private:
     void clicked(core::NorthEast place);
     void addWaypoint(core::GeoPoint place);
     void addTargetPoint(core::GeoPoint place);
+    void addMark(core::GeoPoint place);
     void showProblems();
 
     EditorContext& m_context;
@@ -66,6 +69,7 @@ private:
     std::vector<Page> m_pages;
     DryRunPanel* m_dryRun;
     QToolButton* m_add = nullptr;
+    MarksAid* m_marks = nullptr;
     DraftPicture m_picture;
     bool m_fitWanted = false;
 };

@@ -103,6 +103,8 @@ QString textOf(const ChartPick& pick, const PreparedChart& chart, const ChartSce
             return shipText(frame, scene.targets[pick.index]);
         case Kind::Waypoint:
             return waypointText(scene, pick.index);
+        case Kind::SceneMark:
+            return markText(scene.marks[pick.index]);
         case Kind::Mark:
             return markText(chart.area->marks[pick.index]);
         case Kind::Anchor:
@@ -125,6 +127,10 @@ ChartPick pickOnChart(const PreparedChart& chart, const ChartScene& scene, Chart
                       const ChartTransform& view, QPointF at, double reach_px) {
     Search search(view, at, reach_px);
     offerScene(search, scene, shown);
+    if (shown.testFlag(ChartLayer::Marks)) {
+        for (std::size_t i = 0; i < scene.marks.size(); ++i)
+            search.offerPoint(Kind::SceneMark, i, scene.marks[i].position);
+    }
     if (chart.area && shown.testFlag(ChartLayer::Marks)) {
         for (std::size_t i = 0; i < chart.area->marks.size(); ++i)
             search.offerPoint(Kind::Mark, i, chart.area->marks[i].position);

@@ -11,7 +11,7 @@ namespace sagara::ui {
 
 /// What lies under a point of the chart.
 struct ChartPick {
-    enum class Kind { Nothing, OwnShip, Target, Waypoint, Mark, Anchor, Berth, Place, Zone };
+    enum class Kind { Nothing, OwnShip, Target, Waypoint, SceneMark, Mark, Anchor, Berth, Place, Zone };
     Kind kind = Kind::Nothing;
     std::size_t index = 0;  ///< in the scene's or the area's list of its kind
     core::NorthEast position;

@@ -3,10 +3,12 @@
 #include <QFlags>
 #include <QString>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/base/Planar.h"
 #include "core/exercise/ForceCause.h"
+#include "core/world/Area.h"
 #include "core/world/Route.h"
 
 /// What a chart shows over the area: plain values in SI and frame N, given by whoever owns the widget.
@@ -92,7 +94,8 @@ struct ChartAnchor {
 struct ChartHandle {
     int id = 0;
     core::NorthEast position;
-    QString hint;  ///< for its tooltip
+    QString hint;       ///< for its tooltip
+    bool open = false;  ///< drawn round what it moves, which stays to be seen
 };
 
 /// One cause that pushes the own ship, in frame B: where it pushes and how hard.
@@ -112,6 +115,8 @@ struct ChartScene {
     core::RoutePath path;  ///< of the route
     std::vector<ChartZone> zones;
     std::vector<ChartAnchor> anchors;
+    std::vector<core::Mark> marks;  ///< beside those of the area: of a scenario that is being made
+    std::string ialaRegion;         ///< "A" or "B": the colours of its marks
     std::vector<ChartHandle> handles;
     std::vector<ShownForce> forces;  ///< on the first own ship
     double forceScale_NPerPx = 0.0;  ///< 0: as suits the forces

@@ -416,7 +416,8 @@ void ChartWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (ended == Gesture::Tool) m_tools.release();
     if (ended == Gesture::Handle) {
         const ChartHandle& handle = m_scene.handles[m_handle];
-        if (handle.position != m_handleFrom) Q_EMIT handleMoved(handle.id, handle.position);
+        if (handle.position != m_handleFrom) return Q_EMIT handleMoved(handle.id, handle.position);
+        Q_EMIT picked(pickAt(event->position()));
     }
     if (ended != Gesture::Press) return;
     const ChartPick pick = pickAt(event->position());

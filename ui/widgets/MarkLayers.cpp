@@ -6,6 +6,7 @@
 #include "ui/chart/Marks.h"
 #include "ui/widgets/AreaLayers.h"
 #include "ui/widgets/AreaTexts.h"
+#include "ui/widgets/SceneLayers.h"
 
 namespace sagara::ui {
 namespace {
@@ -51,11 +52,12 @@ bool lateral(const core::Mark& mark) {
 
 /// Away from the nearest other mark, for a lateral mark the nearest of the other hand: the names of two buoys
 /// that make a gate stay out of the channel.
-bool wordsToTheRight(const ChartCanvas& canvas, const core::Area& area, const core::Mark& mark) {
+bool wordsToTheRight(const ChartCanvas& canvas, const std::vector<core::Mark>& marks,
+                     const core::Mark& mark) {
     const QPointF at = canvas.view.toScreen(mark.position);
     double nearest_px = 30.0 * canvas.letter_px;
     bool right = true;
-    for (const core::Mark& other : area.marks) {
+    for (const core::Mark& other : marks) {
         if (&other == &mark || (lateral(mark) && (!lateral(other) || other.kind == mark.kind))) continue;
         const QPointF off = at - canvas.view.toScreen(other.position);
         const double distance_px = std::hypot(off.x(), off.y());
@@ -84,27 +86,22 @@ bool labelBeside(ChartCanvas& canvas, QPointF at, bool right, const QStringList&
     return true;
 }
 
-}  // namespace
-
-void drawMarks(ChartCanvas& canvas, const PreparedChart& chart) {
-    for (std::size_t i = 0; i < chart.marks.size(); ++i) {
-        const core::Mark& mark = chart.area->marks[i];
-        const QPointF at = canvas.view.toScreen(mark.position);
-        if (!canvas.holds(at)) continue;
-        const bool major = mark.kind == core::MarkKind::Lighthouse;
-        if (mark.light && canvas.shows(ChartLayer::Lights) && (major || canvas.denominator <= kLightsTo)) {
-            drawFlare(canvas, at, flareOf(canvas.palette, *mark.light));
-            canvas.labels.block({at + QPointF(0.0, 0.15 * canvas.letter_px),
-                                 QSizeF(1.1 * canvas.letter_px, 1.15 * canvas.letter_px)});
-        }
-        chart::drawMark(canvas.painter, at, chart.marks[i], mark_px(canvas), canvas.palette.marks);
-        canvas.blockAround(at, 0.55 * mark_px(canvas));
+void draw(ChartCanvas& canvas, const core::Mark& mark, const chart::ChartMark& symbol) {
+    const QPointF at = canvas.view.toScreen(mark.position);
+    if (!canvas.holds(at)) return;
+    const bool major = mark.kind == core::MarkKind::Lighthouse;
+    if (mark.light && canvas.shows(ChartLayer::Lights) && (major || canvas.denominator <= kLightsTo)) {
+        drawFlare(canvas, at, flareOf(canvas.palette, *mark.light));
+        canvas.labels.block({at + QPointF(0.0, 0.15 * canvas.letter_px),
+                             QSizeF(1.1 * canvas.letter_px, 1.15 * canvas.letter_px)});
     }
+    chart::drawMark(canvas.painter, at, symbol, mark_px(canvas), canvas.palette.marks);
+    canvas.blockAround(at, 0.55 * mark_px(canvas));
 }
 
 /// Names in italics where the mark is in no open source.
-void labelMarks(ChartCanvas& canvas, const PreparedChart& chart) {
-    for (const core::Mark& mark : chart.area->marks) {
+void label(ChartCanvas& canvas, const std::vector<core::Mark>& marks) {
+    for (const core::Mark& mark : marks) {
         const QPointF at = canvas.view.toScreen(mark.position);
         if (!canvas.frame.contains(at)) continue;
         const bool light = mark.light && canvas.shows(ChartLayer::Lights);
@@ -118,11 +115,25 @@ void labelMarks(ChartCanvas& canvas, const PreparedChart& chart) {
             lines << (canvas.denominator <= 2.0 * kNamesTo || major ? lightText(*mark.light)
                                                                     : lightCharacter(*mark.light));
         if (lines.isEmpty()) continue;
-        const bool right = wordsToTheRight(canvas, *chart.area, mark);
+        const bool right = wordsToTheRight(canvas, marks, mark);
         if (!labelBeside(canvas, at, right, lines, letters) &&
             !labelBeside(canvas, at, !right, lines, letters))
             labelNear(canvas, at, 0.75 * mark_px(canvas), 2.2 * canvas.letter_px, lines, letters);
     }
 }
+
+}  // namespace
+
+void drawMarks(ChartCanvas& canvas, const PreparedChart& chart) {
+    for (std::size_t i = 0; i < chart.marks.size(); ++i) draw(canvas, chart.area->marks[i], chart.marks[i]);
+}
+
+void labelMarks(ChartCanvas& canvas, const PreparedChart& chart) { label(canvas, chart.area->marks); }
+
+void drawSceneMarks(ChartCanvas& canvas, const ChartScene& scene) {
+    for (const core::Mark& mark : scene.marks) draw(canvas, mark, chart::chartMarkOf(mark, scene.ialaRegion));
+}
+
+void labelSceneMarks(ChartCanvas& canvas, const ChartScene& scene) { label(canvas, scene.marks); }
 
 }  // namespace sagara::ui

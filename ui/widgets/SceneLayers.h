@@ -15,6 +15,7 @@ void drawSafetyLimits(ChartCanvas& canvas, const ChartScene& scene);
 double routeStep_m(const ChartTransform& view);
 void drawRoute(ChartCanvas& canvas, const ChartScene& scene, const RouteShape& shape);
 void drawAnchors(ChartCanvas& canvas, const ChartScene& scene);
+void drawSceneMarks(ChartCanvas& canvas, const ChartScene& scene);
 void drawTracks(ChartCanvas& canvas, const ChartScene& scene);
 void drawPredictions(ChartCanvas& canvas, const ChartScene& scene);
 void drawTargets(ChartCanvas& canvas, const ChartScene& scene);
@@ -22,6 +23,7 @@ void drawOwnShips(ChartCanvas& canvas, const ChartScene& scene);
 
 void drawForces(ChartCanvas& canvas, const ChartScene& scene);
 
+void labelSceneMarks(ChartCanvas& canvas, const ChartScene& scene);
 void labelShips(ChartCanvas& canvas, const ChartScene& scene);
 void labelRoute(ChartCanvas& canvas, const ChartScene& scene, const core::LocalFrame& frame);
 void labelAnchors(ChartCanvas& canvas, const ChartScene& scene);

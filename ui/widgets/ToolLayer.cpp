@@ -88,17 +88,19 @@ void drawTools(ChartCanvas& canvas, const ChartTools& tools, const core::LocalFr
 
 void drawHandles(ChartCanvas& canvas, const ChartScene& scene, std::optional<std::size_t> dragged,
                  core::NorthEast draggedFrom) {
-    const double half = 0.4 * canvas.letter_px;
     for (std::size_t i = 0; i < scene.handles.size(); ++i) {
         const QPointF at = canvas.view.toScreen(scene.handles[i].position);
         if (!canvas.holds(at)) continue;
-        const bool now = dragged == i;
+        const bool now = dragged == i, open = scene.handles[i].open;
+        const double half = (open ? 0.8 : 0.4) * canvas.letter_px;
         if (now) {
             canvas.painter.setPen(dashedChartPen(canvas.palette.tool, 1.5, 4.0, 4.0));
             canvas.painter.drawLine(canvas.view.toScreen(draggedFrom), at);
         }
         canvas.painter.setPen(chartPen(canvas.palette.tool, 1.8));
-        canvas.painter.setBrush(now ? canvas.palette.tool : canvas.palette.panel);
+        canvas.painter.setBrush(open  ? QBrush(Qt::NoBrush)
+                                : now ? canvas.palette.tool
+                                      : canvas.palette.panel);
         canvas.painter.drawRect(QRectF(at.x() - half, at.y() - half, 2.0 * half, 2.0 * half));
     }
 }

@@ -19,7 +19,7 @@ LightsPart::LightsPart(const PartContext& context, const ShaderMaterial& solid, 
     for (std::size_t i = 0; i < area.marks.size(); ++i) {
         const core::Mark& mark = area.marks[i];
         MarkInSea m{&mark, context.scenes.getRootSceneNode()->createChildSceneNode(), std::nullopt};
-        if (mark.light) m.character = LightCharacter::parse(mark.light->character);
+        if (mark.light) m.character = core::LightCharacter::parse(mark.light->character);
         const Solid shape = shapeOf(mark, area.ialaRegion == "B");
         if (!shape.indices.empty()) {
             auto* entity =

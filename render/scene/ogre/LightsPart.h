@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/light/LightCharacter.h"
+#include "core/world/LightCharacter.h"
 #include "render/scene/light/ShipLights.h"
 #include "render/scene/ogre/SeaPart.h"
 #include "render/scene/ogre/Sprites.h"
@@ -19,7 +19,7 @@ private:
     struct MarkInSea {
         const core::Mark* mark;
         Ogre::SceneNode* node;
-        std::optional<LightCharacter> character;
+        std::optional<core::LightCharacter> character;
         double up_m = 0.0;  ///< of its waterline now
     };
     void shine(const Frame& frame, const View& view, core::NorthEast p, double up_m, const Colour& colour,

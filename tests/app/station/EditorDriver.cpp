@@ -114,8 +114,13 @@ void EditorDriver::enter(const Field& field, const std::string& path, const Json
         case FieldKind::Choice:
         case FieldKind::Reference:
             return choose(path, value.is_null() ? QString() : plain(value));
+        case FieldKind::Place:
+            return enterPlace(path, value);
+        case FieldKind::Places:
+            for (std::size_t i = 0; i < value.size(); ++i) enterPlace(join(path, i), value[i]);
+            return;
         case FieldKind::References:
-            return enterReferences(field, path, value);
+            return enterReferences(path, value);
         case FieldKind::Numbers:
             for (std::size_t i = 0; i < value.size(); ++i) type(join(path, i), plain(value[i]));
             return;
@@ -127,11 +132,13 @@ void EditorDriver::enter(const Field& field, const std::string& path, const Json
     }
 }
 
-void EditorDriver::enterReferences(const Field& field, const std::string& path, const Json& value) const {
-    if (field.count > 0) {
-        for (std::size_t i = 0; i < value.size(); ++i) choose(join(path, i), plain(value[i]));
-        return;
-    }
+void EditorDriver::enterPlace(const std::string& path, const Json& value) const {
+    if (!value.is_object()) return choose(path, value.is_null() ? QString() : plain(value));
+    choose(path, QStringLiteral("#position"));
+    type(path, plain(value));
+}
+
+void EditorDriver::enterReferences(const std::string& path, const Json& value) const {
     for (const Json& item : value) {
         auto* const box = find<QCheckBox>(path + "/" + item.get<std::string>());
         if (box && !box->isChecked()) box->click();

@@ -36,8 +36,8 @@ private:
     static void fail(const std::string& what);
     void enterList(const ui::editor::Field& field, const std::string& path,
                    const ui::editor::Json& value) const;
-    void enterReferences(const ui::editor::Field& field, const std::string& path,
-                         const ui::editor::Json& value) const;
+    void enterPlace(const std::string& path, const ui::editor::Json& value) const;
+    void enterReferences(const std::string& path, const ui::editor::Json& value) const;
 
     ui::editor::EditorPage& m_page;
 };

@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -279,11 +280,133 @@ TEST_F(EditorWindow, ACircleIsDraggedToAnotherPlaceAndMadeWider) {
     drag(edge, edge + QPointF(chart()->view().toPixels(185.2), 0));
     EXPECT_NEAR(numberAt(document(), "mission.tasks[3].within_M", 0.0), 0.3, 0.02);
     const auto area = files::buildScenario(*m_store, "basic-navigation").value()->area;
-    const core::NorthEast from = handle("Anchor and bring up: drag to another");
+    const core::NorthEast from = handle("Anchor and bring up: drag; near");
     drag(chart()->view().toScreen(from), chart()->view().toScreen(area.findPlace("entrance_mid")->position));
     const std::string near =
         textAt(document(), "mission.tasks[3].to") + " " + textAt(document(), "mission.tasks[4].at");
     EXPECT_NE(near.find("entrance_mid"), std::string::npos) << near;
+}
+
+TEST_F(EditorWindow, AZoneIsPutWhereNoPlaceIsAndNamedAPlaceAgain) {
+    ASSERT_FALSE(m_page->open("basic-navigation"));
+    ASSERT_TRUE(areaShown());
+    hands().openSection("tasks");
+    const auto at = [this](const std::string& path) { return positionOf(find(document(), path)); };
+    // a gate's end first: nothing else lies there
+    const auto& handles = chart()->scene().handles;
+    const auto end = std::find_if(handles.begin(), handles.end(), [](const ui::ChartHandle& h) {
+        return h.hint.contains(QStringLiteral("drag; near")) && !h.hint.startsWith(QStringLiteral("Transit"));
+    });
+    ASSERT_NE(end, handles.end());
+    const core::LocalFrame frame = files::buildScenario(*m_store, "basic-navigation").value()->area.frame;
+    const core::NorthEast free = end->position + core::NorthEast{-60.0, -420.0};
+    drag(chart()->view().toScreen(end->position), chart()->view().toScreen(free));
+    const auto gate = at("mission.tasks[2].between[0]");
+    ASSERT_TRUE(gate);
+    EXPECT_LT(core::distance(frame.toLocal(*gate), free), chart()->view().toMetres(2.0));
+
+    // and a circle by its widgets: free, typed, and named again
+    hands().find<QTableView>("mission.tasks")->selectRow(3);
+    hands().choose("mission.tasks[3].to", QStringLiteral("#position"));
+    ASSERT_TRUE(at("mission.tasks[3].to"));
+    hands().type("mission.tasks[3].to", QStringLiteral("6.015, 80.225"));
+    EXPECT_EQ(at("mission.tasks[3].to")->lat_deg, 6.015);
+    keepPictures(QStringLiteral("free-zone"));
+    ASSERT_TRUE(checked());
+    EXPECT_TRUE(problemPaths().empty()) << problemPaths().front();
+    hands().choose("mission.tasks[3].to", QStringLiteral("anch_ne_monsoon"));
+    EXPECT_EQ(textAt(document(), "mission.tasks[3].to"), "anch_ne_monsoon");
+    hands().click("undo");
+    EXPECT_EQ(at("mission.tasks[3].to")->lat_deg, 6.015);
+}
+
+TEST_F(EditorWindow, MarksArePlacedByClicksDraggedNamedAndReachTheWorld) {
+    createEmpty("marked");
+    ASSERT_TRUE(areaShown());
+    for (const char* said : {"mission.objective", "mission.competenceCode", "mission.briefing"})
+        m_page->draft().set(said, "As said.", QStringLiteral("test"));
+    hands().openSection("marks");
+    const auto loaded = m_store->find(core::DocumentKind::Area, "galle");
+    ASSERT_TRUE(loaded);
+    const core::Area area = core::loadArea("galle", *loaded).value();
+    chart::Extent extent;
+    extent.include(area.frame.toLocal({6.010, 80.215}));
+    extent.include(area.frame.toLocal({6.036, 80.240}));
+    chart()->fitTo(extent);
+    const auto screen = [&](double lat_deg, double lon_deg) {
+        return chart()->view().toScreen(area.frame.toLocal({lat_deg, lon_deg}));
+    };
+    const auto put = [&](const char* kind, double lat_deg, double lon_deg) {
+        hands().click(std::string("mark-kind.") + kind);
+        QTest::mouseClick(chart(), Qt::LeftButton, {}, screen(lat_deg, lon_deg).toPoint());
+    };
+    put("lateral-port", 6.016, 80.2215);
+    QTest::mouseClick(chart(), Qt::LeftButton, {}, screen(6.020, 80.2215).toPoint());
+    put("lateral-starboard", 6.016, 80.2240);
+    put("isolated-danger", 6.0205, 80.2320);
+    put("cardinal-south", 6.0155, 80.2320);
+    put("special", 6.0120, 80.2280);
+    EXPECT_EQ(sizeAt(document(), "marks"), 6u);
+    EXPECT_EQ(textAt(document(), "marks[1].name"), "Port hand 2");
+    EXPECT_EQ(textAt(document(), "marks[3].kind"), "isolated-danger");
+    hands().click("chart-add");  // off
+    EXPECT_FALSE(hands().find<QToolButton>("mark-kind.special")->isChecked());
+
+    hands().find<QTableView>("marks")->selectRow(3);
+    hands().type("marks[3].name", QStringLiteral("Wreck"));
+    hands().type("marks[3].light.character", QStringLiteral("Fl(2) W 5s"));
+    ASSERT_TRUE(checked());
+    EXPECT_TRUE(problemPaths().empty()) << problemPaths().front();
+    keepPictures(QStringLiteral("marks"));
+
+    // dragged ashore, found there, and taken back
+    const Json before = document();
+    drag(screen(6.0205, 80.2320), screen(6.0285, 80.2175));
+    ASSERT_TRUE(checked());
+    EXPECT_EQ(problemPaths(), std::vector<std::string>{"marks[3].at"});
+    hands().type("marks[3].name", QStringLiteral("Special 1"));
+    ASSERT_TRUE(checked());
+    EXPECT_EQ(problemPaths(), (std::vector<std::string>{"marks[3].at", "marks[5].name"}));
+    hands().openSection("general");
+    auto* const list = hands().find<QListWidget>("problems");
+    ASSERT_EQ(list->count(), 2);
+    Q_EMIT list->itemClicked(list->item(0));
+    EXPECT_TRUE(hands().find<QLineEdit>("marks[3].at")->isVisible());
+    keepPictures(QStringLiteral("marks-problem"));
+    hands().click("undo");
+    hands().click("undo");
+    EXPECT_EQ(document(), before);
+
+    // a copy has a name of its own; deleted it is gone
+    hands().find<QTableView>("marks")->selectRow(5);
+    hands().click("marks.copy");
+    EXPECT_EQ(textAt(document(), "marks[6].name"), "Special 2");
+    hands().click("marks.delete");
+    EXPECT_EQ(document(), before);
+
+    hands().openSection("events");
+    hands().addRow("events", {});
+    hands().choose("events[0].when.near", QStringLiteral("#position"));
+    hands().type("events[0].when.near", QStringLiteral("6.02, 80.225"));
+    hands().type("events[0].when.within_M", QStringLiteral("0.1"));
+    ASSERT_TRUE(checked());
+    EXPECT_TRUE(problemPaths().empty()) << problemPaths().front();
+    hands().click("save");
+    ASSERT_TRUE(m_page->draft().isSaved());
+    const Json saved = document();
+    openPage("marked");
+    EXPECT_EQ(document(), saved);
+    ASSERT_TRUE(areaShown());
+    ASSERT_EQ(chart()->scene().marks.size(), 6u);
+    const auto world = files::buildScenario(*m_store, "marked");
+    ASSERT_TRUE(world) << world.error();
+    ASSERT_EQ((*world)->area.marks.size(), area.marks.size() + 6);
+    const core::Mark& wreck = (*world)->area.marks[area.marks.size() + 3];
+    EXPECT_EQ(wreck.name, "Wreck");
+    EXPECT_EQ(wreck.light->character, "Fl(2) W 5s");
+    EXPECT_LT(core::distance(wreck.position, area.frame.toLocal({6.0205, 80.2320})), 15.0);
+    EXPECT_TRUE((*world)->events[0].trigger.zone);
+    EXPECT_LT(core::distance((*world)->events[0].trigger.centre, area.frame.toLocal({6.02, 80.225})), 0.1);
 }
 
 TEST_F(EditorWindow, ANewScenarioIsStoredAsTheUsersOwnAndOpensAgain) {

@@ -77,6 +77,21 @@ TEST(Config, NestedPathsNameTheItem) {
               "a.json: at.lon is missing, expected -180 to 180 deg");
 }
 
+TEST(Config, AKeyMayLeadIntoWhatItNames) {
+    Document document("test.json", R"({"to": {"lat": 6.5, "lon": 80}, "between": ["a", {"lat": 95}]})");
+    Reader in(document.root());
+    EXPECT_TRUE(in.has("to.lat"));
+    EXPECT_FALSE(in.has("to.name"));
+    EXPECT_FALSE(in.has("between[0].lat"));
+    EXPECT_TRUE(in.has("between[1].lat"));
+    EXPECT_FALSE(in.has("between[2]"));
+    EXPECT_EQ(in.text("between[0]"), "a");
+    EXPECT_EQ(in.number("to.lat", {-90.0, 90.0, "deg"}), 6.5);
+    (void)in.number("between[1].lat", {-90.0, 90.0, "deg"});
+    in.rejectUnknownKeys();
+    EXPECT_EQ(document.problems().text(), "test.json: between[1].lat is 95, expected -90 to 90 deg");
+}
+
 TEST(Config, KindAndVersionAreChecked) {
     Document wrong("a.json", R"({"document": "area", "version": 9})");
     EXPECT_FALSE(wrong.isKind("vessel", 2));

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "core/base/Units.h"
-#include "render/scene/light/LightCharacter.h"
+#include "core/world/LightCharacter.h"
 #include "render/scene/light/Visibility.h"
 #include "tests/support/exercise/Lesson.h"
 
 namespace sagara::render {
 namespace {
+
+using core::LightCharacter;
 
 /// Times of lighting within the first `span_s` seconds, a hundredth of a second each.
 std::vector<double> flashes(const LightCharacter& light, double span_s) {

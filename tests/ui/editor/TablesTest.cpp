@@ -1,10 +1,11 @@
 // The tables of fields against the loader: what they make it takes, and what it knows they have.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/exercise/Lesson.h"
-#include "ui/editor/ScenarioFields.h"
+#include "ui/editor/DraftMarks.h"
 
 namespace sagara::ui::editor {
 namespace {
@@ -58,15 +59,12 @@ Json rowOf(const ListSpec& spec, const Variant& variant) {
     for (const Field& f : variant.fields) {
         if (f.optional || f.kind == FieldKind::List) continue;
         if (f.kind == FieldKind::Numbers && f.initial.is_null()) row[f.key] = Json::array({100, 100});
-        if (f.kind == FieldKind::References) {
-            row[f.key] = f.source == Source::Line ? Json::array({"head"})
-                                                  : Json::array({"s_breakwater_head", "w_breakwater_head"});
-        }
+        if (f.kind == FieldKind::References) row[f.key] = Json::array({"head"});
+        if (f.kind == FieldKind::Place) row[f.key] = "anch_ne_monsoon";
+        if (f.kind == FieldKind::Places)
+            row[f.key] = Json::array({"s_breakwater_head", Json{{"lat", 6.0338}, {"lon", 80.228}}});
         if (f.kind != FieldKind::Reference) continue;
         switch (f.source) {
-            case Source::Place:
-                row[f.key] = "anch_ne_monsoon";
-                break;
             case Source::Waypoint:
                 row[f.key] = 2;
                 break;
@@ -132,6 +130,37 @@ TEST(EditorTables, HaveEveryKindTheLoaderKnows) {
     EXPECT_EQ(knownBy("mission.criteria", "kind"),
               static_cast<std::ptrdiff_t>(criterionList().variants.size()));
     EXPECT_EQ(knownBy("pilot", "do"), static_cast<std::ptrdiff_t>(pilotList().variants.size()));
+}
+
+TEST(EditorTables, MakeMarksOfEveryKindTheLoaderTakes) {
+    Json document = lesson();
+    document["marks"] = Json::array();
+    double lon_deg = 80.222;
+    for (const Option& kind : markKinds()) {
+        Json mark = newMark(document, kind.value, {6.015, lon_deg += 0.001});
+        const core::Mark drawn = markOf(mark, core::LocalFrame({6.0, 80.0}));
+        EXPECT_EQ(drawn.floating, mark["floating"].get<bool>()) << kind.value;
+        document["marks"].push_back(std::move(mark));
+    }
+    EXPECT_EQ(test::problemsOf(document.dump()), "");
+    EXPECT_EQ(textAt(newMark(document, "special", {}), "name"), "Special 2");
+}
+
+TEST(EditorTables, KnowEveryKindOfMark) {
+    const std::string problems = problemsWith("marks", Json::array({Json{{"kind", "?"}}}));
+    for (const Option& kind : markKinds())
+        EXPECT_NE(problems.find(kind.value), std::string::npos) << kind.value << problems;
+    const std::size_t at = problems.find("one of ");
+    EXPECT_EQ(std::count(problems.begin() + static_cast<std::ptrdiff_t>(at),
+                         problems.begin() + static_cast<std::ptrdiff_t>(problems.find('\n', at)), ',') +
+                  1,
+              static_cast<std::ptrdiff_t>(markKinds().size()));
+}
+
+TEST(FreshName, CountsOn) {
+    EXPECT_EQ(freshName("Wreck", {}), "Wreck");
+    EXPECT_EQ(freshName("Wreck", {"Wreck"}), "Wreck 2");
+    EXPECT_EQ(freshName("mark-1", {"mark-1", "mark-2"}), "mark-3");
 }
 
 TEST(EditorTables, AnEmptyScenarioLacksOnlyTheWordsOfItsMission) {

@@ -7,7 +7,7 @@
 
 #include "core/base/SimTime.h"
 
-namespace sagara::render {
+namespace sagara::core {
 
 /// A light as charts abbreviate it: "Fl(2) W 15s", "Q(6)+LFl W 15s", "Iso R 4s", "F G", "Mo(A) W 8s". When it
 /// is lit is a pure function of simulation time: a period begins at time zero.
@@ -30,4 +30,4 @@ private:
     std::array<double, 3> m_colour{1.0, 1.0, 1.0};
 };
 
-}  // namespace sagara::render
+}  // namespace sagara::core

@@ -1,10 +1,10 @@
-#include "render/scene/light/LightCharacter.h"
+#include "core/world/LightCharacter.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <string>
 
-namespace sagara::render {
+namespace sagara::core {
 namespace {
 
 std::vector<std::string> words(std::string_view text) {
@@ -115,4 +115,4 @@ bool LightCharacter::lit(core::SimTime time) const {
     return false;
 }
 
-}  // namespace sagara::render
+}  // namespace sagara::core
