@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/LocalFrame.h"
+#include "core/world/Area.h"
 #include "ui/editor/ScenarioFields.h"
 
 /// The marks a scenario puts into its area.
