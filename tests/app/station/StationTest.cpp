@@ -312,6 +312,7 @@ TEST_F(StationWindow, WhoOpensALessonBeforeItIsBuiltWaitsForIt) {
     EXPECT_EQ(page(), nullptr);  // the page with its list stays, and answers
     ASSERT_TRUE(QTest::qWaitFor([&] { return page() != nullptr; }, 30'000));
     EXPECT_EQ(run().world()->scenarioName, "Basic Navigation");
+    page()->endRun();
     ASSERT_TRUE(m_station->leaveAll());
 
     openLessons();
