@@ -36,6 +36,7 @@ std::unique_ptr<Connection> openFile(const std::filesystem::path& file,
     requireOurs(file, busyTimeout);
     auto connection = std::make_unique<Connection>(file, Connection::Access::ReadWrite, busyTimeout);
     configure(*connection);
+    connection->noteFile();
     return connection;
 }
 

@@ -4,13 +4,21 @@
 
 namespace sagara::files {
 
+core::Result<core::ExerciseDocuments, std::string> collectScenario(const core::DocumentSource& source,
+                                                                   const std::string& idOrFile,
+                                                                   const ScenarioChanges& changes) {
+    const auto scenario = findScenario(source, idOrFile);
+    if (!scenario) return scenario.error();
+    auto documents = core::collectDocuments({scenario->name, changed(scenario->text, changes)}, source);
+    if (!documents) return documents.error().text();
+    return std::move(documents).value();
+}
+
 core::Result<std::shared_ptr<const core::World>, std::string> buildScenario(
     const core::DocumentSource& source, const std::string& idOrFile, std::uint64_t seed,
     const ScenarioChanges& changes) {
-    const auto scenario = findScenario(source, idOrFile);
-    if (!scenario) return scenario.error();
-    const auto documents = core::collectDocuments({scenario->name, changed(scenario->text, changes)}, source);
-    if (!documents) return documents.error().text();
+    const auto documents = collectScenario(source, idOrFile, changes);
+    if (!documents) return documents.error();
     auto world = core::buildWorld(*documents, seed);
     if (!world) return world.error().text();
     return std::move(world).value();

@@ -7,6 +7,7 @@
 
 #include "app/files/Files.h"
 #include "app/run/GradeRecording.h"
+#include "app/run/RecordingFile.h"
 #include "core/exercise/BuildId.h"
 #include "core/exercise/Replay.h"
 #include "db/PersonRepository.h"
@@ -15,6 +16,8 @@
 namespace sagara::run {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr int kLooked = 50;  ///< the newest runs
 
 /// Does something with the database; the message of what went wrong, or empty.
 template <typename Do>
@@ -44,6 +47,11 @@ fs::path notePath(const fs::path& recording, const std::string& text) {
         const auto known = files::readTextFile(path);
         if (!known || *known == text) return path;
     }
+}
+
+std::string told(const std::string& recording, const std::string& failed) {
+    if (failed.empty()) return "Filed the earlier run " + recording + ".";
+    return "The earlier run " + recording + " still cannot be filed: " + failed;
 }
 
 db::EndedRun endedRun(const db::NewRun& run, const RunSummary& summary, bool finished) {
@@ -128,11 +136,27 @@ std::vector<std::string> RunFiling::fileNoted() {
         while (!recording.empty() && recording.back() == '\n') recording.pop_back();
         const std::string failed = fileFromRecording(m_store.folder().pathOf(recording));
         if (failed.empty()) fs::remove(entry.path(), ignored);
-        messages.push_back(failed.empty()
-                               ? "Filed the earlier run " + recording + "."
-                               : "The earlier run " + recording + " still cannot be filed: " + failed);
+        messages.push_back(told(recording, failed));
     }
+    for (const std::string& recording : endedUnfiled())
+        messages.push_back(told(recording, fileFromRecording(m_store.folder().pathOf(recording))));
     return messages;
+}
+
+/// Names of recordings: their folder was away when they ended, so that no note could be left.
+std::vector<std::string> RunFiling::endedUnfiled() {
+    std::vector<std::string> names;
+    attempt(m_store, [&](db::Database& database) {
+        for (const db::RunRecord& run : db::RunRepository(database).list({kLooked, 0})) {
+            if (run.status != db::RunStatus::Running) continue;
+            const fs::path path = m_store.folder().pathOf(run.start.recordingFile);
+            if (RecordingFile::isBeingWritten(path)) continue;
+            const auto bytes = files::readBinaryFile(path);
+            const auto recording = bytes ? std::optional(core::readRecording(*bytes)) : std::nullopt;
+            if (recording && *recording && (*recording)->end) names.push_back(run.start.recordingFile);
+        }
+    });
+    return names;
 }
 
 core::RecordingHeader newHeader(const core::World& world, int level, std::string runType,

@@ -35,11 +35,13 @@ public:
     std::string fileAsItStands(const std::filesystem::path& recording) {
         return fileFromRecording(recording);
     }
-    /// Files the runs noted earlier. One message for each that was filed or still cannot be.
+    /// Files the runs noted earlier, and those whose recording has its end though the database knows none.
+    /// One message for each that was filed or still cannot be.
     std::vector<std::string> fileNoted();
 
 private:
     std::string note(const std::string& recordingName);
+    std::vector<std::string> endedUnfiled();
     std::string fileFromRecording(const std::filesystem::path& recording);
 
     Store& m_store;

@@ -14,6 +14,7 @@ namespace {
 ui::Page* consoleAlone(Station& station, ui::ExerciseRun& run, const PractiseOptions& wanted) {
     ui::ConsoleOptions options;
     options.prediction = wanted.prediction;
+    options.chart = wanted.chart;
     options.showRunControls = true;
     options.startsRun = true;
     options.keys = false;  // BridgeLink takes them, as they are mapped

@@ -6,6 +6,7 @@
 #include "app/replay/BranchRun.h"
 #include "app/replay/NotesFile.h"
 #include "app/replay/ReplayRun.h"
+#include "app/station/SettingsDoor.h"
 #include "db/DbError.h"
 #include "db/GradeRepository.h"
 #include "db/PersonRepository.h"
@@ -91,6 +92,16 @@ std::vector<ui::RecordingEntry> entriesOf(run::Store& store) {
     return entries;
 }
 
+/// The choice of plots, from one debriefing to the next.
+void keepPlots(ui::DebriefPage& page, Frame& frame) {
+    constexpr const char* kPlots = "ui.debrief-plots";
+    const std::shared_ptr<ui::SettingsStore> settings = settingsStore(frame);
+    if (const auto kept = settings->get(kPlots)) page.desk()->showPlots(QString::fromStdString(*kept));
+    QObject::connect(page.desk(), &ui::DebriefDesk::plotsChosen, page.desk(), [desk = page.desk(), settings] {
+        settings->put(kPlots, desk->plotsShown().toStdString());
+    });
+}
+
 /// Empty when it may be a recording; the rest is found out aside.
 std::string whyNotARecording(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -128,6 +139,7 @@ core::Result<ui::Page*, std::string> debriefPage(Frame& frame, const fs::path& r
     ports.openResult = std::move(openResult);
     auto* const page =
         new ui::DebriefPage(std::move(ports), QString::fromStdString(recording.filename().string()));
+    QObject::connect(page, &ui::DebriefPage::opened, page, [page, &frame] { keepPlots(*page, frame); });
     if (from_s > 0.0)
         QObject::connect(page, &ui::DebriefPage::opened, page,
                          [page, from_s] { page->desk()->goTo({static_cast<std::int64_t>(1e6 * from_s)}); });

@@ -7,6 +7,8 @@
 #include "ui/theme/Page.h"
 #include "ui/trainee/TraineeConsole.h"
 
+class QLabel;
+
 namespace sagara::ui {
 class TraineeConsole;
 class TrainerDesk;
@@ -21,7 +23,9 @@ class DeskPage final : public ui::Page {
     Q_OBJECT
 
 public:
-    DeskPage(Station& station, std::unique_ptr<StationRun> run);
+    /// `chart`: of the run's area; null: it is made here.
+    DeskPage(Station& station, std::unique_ptr<StationRun> run,
+             std::shared_ptr<const ui::PreparedChart> chart = nullptr);
     ~DeskPage() override;
 
     void setColours(ui::PaletteName name) override;
@@ -40,12 +44,17 @@ protected:
 private:
     void makeDesk();
     void goBack(std::int64_t second);
+    void showGoingBack(bool on);
     void openConsole();
 
     Station& m_station;
     std::unique_ptr<StationRun> m_run;
+    std::shared_ptr<const ui::PreparedChart> m_chart;
     std::unique_ptr<StationWall> m_wall;
     ui::TrainerDesk* m_desk = nullptr;
+    QWidget* m_goingBack;  ///< shown while that is worked out
+    QLabel* m_goingBackTo;
+    int m_ways = 0;                          ///< counts them: one called off is not gone
     QPointer<ui::TraineeConsole> m_console;  ///< on another monitor where there is one
 };
 

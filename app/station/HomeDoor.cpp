@@ -1,4 +1,5 @@
 #include <QCoreApplication>
+#include <QLabel>
 
 #include "app/files/AssetSource.h"
 #include "app/files/Files.h"
@@ -12,6 +13,7 @@
 #include "app/station/Station.h"
 #include "app/station/VesselsDoor.h"
 #include "core/exercise/BuildId.h"
+#include "db/DbError.h"
 #include "ui/help/AboutDialog.h"
 #include "ui/start/HomePage.h"
 
@@ -19,6 +21,15 @@ namespace sagara::station {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Doors", text); }
+
+/// On the page of the doors, once.
+void tell(Station& station, const QString& words) {
+    auto* const home = dynamic_cast<ui::HomePage*>(station.page());
+    if (home == nullptr) return;
+    for (const QLabel* said : home->findChildren<QLabel*>(QStringLiteral("notice-text")))
+        if (said->text() == words) return;
+    home->addNotice(words);
+}
 
 /// Of a run that was broken off: resume it, file it as it stands, or decide at the next start.
 void offerToGoOn(Station& station, ui::HomePage& home, const BrokenOff& run) {
@@ -94,8 +105,13 @@ ui::AboutFacts aboutFacts(Station& station) {
 
 ui::Page* homePage(Station& station) {
     const auto room = [&station](const char* id, const QString& name, const QString& tip, auto make) {
-        return ui::Room{name, tip, QStringLiteral("door-%1").arg(QLatin1String(id)),
-                        [&station, make] { station.openPage(make(station)); }};
+        return ui::Room{name, tip, QStringLiteral("door-%1").arg(QLatin1String(id)), [&station, make] {
+                            try {
+                                station.openPage(make(station));
+                            } catch (const db::DbError& e) {
+                                tell(station, QString::fromUtf8(e.what()));
+                            }
+                        }};
     };
     std::vector<ui::Door> doors;
     doors.push_back(

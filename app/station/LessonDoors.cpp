@@ -30,11 +30,21 @@ QStringList namesOf(run::Store& store) {
     return names;
 }
 
-std::optional<std::string> openWatch(Station& station, const RunRequest& request) {
-    auto run = StationRun::open(station.store(), request);
+core::Result<core::ExerciseDocuments, std::string> documentsOf(run::Store& store, const std::string& id) {
+    try {
+        return files::collectScenario(store, id);
+    } catch (const db::DbError& e) {
+        return std::string(e.what());
+    }
+}
+
+std::optional<std::string> openWatch(Station& station, const RunRequest& request,
+                                     const ui::PreparedExercise& exercise) {
+    auto run = StationRun::open(station.store(), request, exercise.world);
     if (!run) return run.error();
     ui::ConsoleOptions options;
     options.startsRun = true;
+    options.chart = exercise.chart;
     station.openPage(new SailPage(station, std::move(run).value(), options,
                                   [&station](StationRun& sailed, const run::RunSummary& summary) {
                                       station.replacePage(resultPage(station, sailed.recording(), summary));
@@ -42,13 +52,12 @@ std::optional<std::string> openWatch(Station& station, const RunRequest& request
     return std::nullopt;
 }
 
-using Open = std::optional<std::string> (*)(Station&, const RunRequest&);
+using Open = std::optional<std::string> (*)(Station&, const RunRequest&, const ui::PreparedExercise&);
 
 ui::Page* choicePage(Station& station, ui::StartPage::For whom, Open open) {
     run::Store& store = station.store();
-    auto* const page = new ui::StartPage(whom, scenariosOf(store), [&store](const std::string& id) {
-        return files::buildScenario(store, id);
-    });
+    auto* const page = new ui::StartPage(whom, scenariosOf(store),
+                                         [&store](const std::string& id) { return documentsOf(store, id); });
     page->setNames(namesOf(store));
     QObject::connect(page, &ui::StartPage::chosen, page,
                      [&station, page, open](const ui::StartChoice& choice) {
@@ -58,7 +67,7 @@ ui::Page* choicePage(Station& station, ui::StartPage::For whom, Open open) {
                          request.type = choice.type;
                          request.trainee = choice.trainee;
                          request.pilot = choice.pilot;
-                         if (const auto trouble = open(station, request))
+                         if (const auto trouble = open(station, request, choice.exercise))
                              page->setTrouble(QString::fromStdString(*trouble));
                      });
     return page;
@@ -68,14 +77,20 @@ ui::Page* choicePage(Station& station, ui::StartPage::For whom, Open open) {
 
 ui::Page* lessonPage(Station& station) {
     return choicePage(station, ui::StartPage::For::Trainer,
-                      [](Station& s, const RunRequest& request) { return s.openRun(request); });
+                      [](Station& s, const RunRequest& request, const ui::PreparedExercise& exercise) {
+                          return s.openDesk(request, exercise);
+                      });
 }
 
 ui::Page* watchPage(Station& station) { return choicePage(station, ui::StartPage::For::Trainee, openWatch); }
 
 std::optional<std::string> enter(Station& station, const std::string& role, const RunRequest& request) {
     const bool trainee = role == "trainee";
-    if (!request.scenario.empty()) return trainee ? openWatch(station, request) : station.openRun(request);
+    if (!request.scenario.empty() && trainee) {
+        const auto world = files::buildScenario(station.store(), request.scenario, request.seed);
+        return world ? openWatch(station, request, {*world, nullptr}) : world.error();
+    }
+    if (!request.scenario.empty()) return station.openRun(request);
     if (role == "trainer") station.openPage(lessonPage(station));
     if (trainee) station.openPage(watchPage(station));
     if (role == "practise") station.openPage(alonePage(station));

@@ -4,6 +4,7 @@
 
 #include "app/station/Frame.h"
 #include "ui/run/ExerciseRun.h"
+#include "ui/widgets/PreparedChart.h"
 
 namespace sagara::station {
 
@@ -11,6 +12,7 @@ namespace sagara::station {
 struct PractiseOptions {
     bool prediction = true;  ///< on the chart
     bool hints = true;       ///< a ui::HintsPanel
+    std::shared_ptr<const ui::PreparedChart> chart = nullptr;
 };
 
 struct PractiseWays {

@@ -81,7 +81,7 @@ std::optional<std::string> PractiseVoyage::begin(bool inPlaceOfResult) {
     auto opened = StationRun::open(m_frame.store(), request, m_world);
     if (!opened) return opened.error();
     m_run = std::move(opened).value();
-    m_console = m_ways.console(*m_run, {m_choice.prediction, m_choice.hints});
+    m_console = m_ways.console(*m_run, {m_choice.prediction, m_choice.hints, m_choice.chart});
     // The run goes after the page that looks at it, whichever way that goes.
     connect(m_console, &QObject::destroyed, m_console, [run = m_run] {});
     // Left: at once no more, for the window is in the middle of taking the page away.

@@ -52,16 +52,12 @@ core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::takeUp(run::Store& st
     return leg;
 }
 
-core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::sailAgain(run::Store& store, const RunLeg& from,
-                                                                     std::int64_t tick) {
-    auto found = run::takeUpAt(from.world(), from.recording(), tick);
-    if (!found) return found.error();
-    run::SetBack back = std::move(found).value();
+core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::sailAgain(run::Store& store, run::SetBack back) {
+    const std::shared_ptr<const core::World> world = back.run.world;
     std::string trouble;
-    auto file = run::RecordingFile::open(run::newRecordingPath(store, from.world()->scenarioId), 0, trouble);
+    auto file = run::RecordingFile::open(run::newRecordingPath(store, world->scenarioId), 0, trouble);
     if (!file) return trouble;
-    auto leg =
-        std::unique_ptr<RunLeg>(new RunLeg(store, from.world(), std::move(file), std::move(back.run.header)));
+    auto leg = std::unique_ptr<RunLeg>(new RunLeg(store, world, std::move(file), std::move(back.run.header)));
     leg->write(back.recording);
     leg->m_writer.goOn(back.run.state);
     leg->m_filingTrouble = leg->m_filing.begin(leg->m_run);

@@ -22,8 +22,7 @@ public:
     static core::Result<std::unique_ptr<RunLeg>, std::string> takeUp(run::Store& store,
                                                                      const std::filesystem::path& recording);
     /// Sails anew from a whole second of another, in a copy of its recording up to there.
-    static core::Result<std::unique_ptr<RunLeg>, std::string> sailAgain(run::Store& store, const RunLeg& from,
-                                                                        std::int64_t tick);
+    static core::Result<std::unique_ptr<RunLeg>, std::string> sailAgain(run::Store& store, run::SetBack back);
     ~RunLeg() { end(); }
 
     const std::shared_ptr<const core::World>& world() const { return m_world; }

@@ -10,9 +10,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/files/BuildScenario.h"
 #include "app/station/DebriefDoor.h"
 #include "app/station/DeskPage.h"
 #include "app/station/Doors.h"
+#include "app/station/KeptTables.h"
 #include "app/station/RosterDoor.h"
 #include "app/station/SettingsDoor.h"
 #include "db/RunRepository.h"
@@ -49,6 +51,7 @@ Station::Station(run::Store& store, render::StageOptions stage)
     : m_store(store),
       m_stageOptions(std::move(stage)),
       m_settings(settingsStore(store)),
+      m_stageComing(std::async(std::launch::async, [o = m_stageOptions] { return render::Stage::open(o); })),
       m_stack(new QStackedWidget(this)) {
     setObjectName(QStringLiteral("station"));
     m_bar = makeBar();
@@ -124,13 +127,12 @@ QWidget* Station::makeBar() {
 }
 
 render::Stage* Station::stageFor(const std::shared_ptr<const core::World>& world) {
-    if (!m_stage) {
-        auto stage = render::Stage::open(m_stageOptions);
-        if (!stage) return nullptr;
-        m_stage = std::move(stage).value();
+    if (m_stageComing.valid()) {
+        if (auto stage = m_stageComing.get()) m_stage = std::move(stage).value();
     }
+    if (!m_stage) return nullptr;
     if (m_staged.lock() == world) return m_stage.get();
-    if (m_stage->show(world)) return nullptr;
+    m_stage->showSoon(world);
     m_staged = world;
     return m_stage.get();
 }
@@ -152,6 +154,7 @@ void Station::openPage(ui::Page* page) {
         },
         Qt::QueuedConnection);
     connect(page, &QWidget::windowTitleChanged, this, &Station::refreshBar);
+    keepTables(*page, settingsStore(m_store));
     showTop();
 }
 
@@ -201,9 +204,16 @@ bool Station::leaveAll() {
 }
 
 std::optional<std::string> Station::openRun(const RunRequest& request) {
-    auto run = StationRun::open(m_store, request);
+    const auto world = files::buildScenario(m_store, request.scenario, request.seed);
+    if (!world) return world.error();
+    return openDesk(request, {*world, nullptr});
+}
+
+std::optional<std::string> Station::openDesk(const RunRequest& request,
+                                             const ui::PreparedExercise& exercise) {
+    auto run = StationRun::open(m_store, request, exercise.world);
     if (!run) return run.error();
-    openPage(new DeskPage(*this, std::move(run).value()));
+    openPage(new DeskPage(*this, std::move(run).value(), exercise.chart));
     return std::nullopt;
 }
 

@@ -2,12 +2,14 @@
 
 #include <QStackedWidget>
 #include <functional>
+#include <future>
 #include <vector>
 
 #include "app/station/Frame.h"
 #include "ui/input/BridgeInput.h"
 #include "ui/settings/SettingsStore.h"
 #include "ui/sound/SoundBoard.h"
+#include "ui/widgets/PreparedExercise.h"
 
 class QLabel;
 class QToolButton;
@@ -35,6 +37,8 @@ public:
     void replacePage(ui::Page* page) override;
     std::optional<std::string> openRun(const RunRequest& request) override;
     std::optional<std::string> openDebrief(const std::filesystem::path& recording) override;
+    /// The trainer's desk of an exercise that is built already; `request.scenario` is its own.
+    std::optional<std::string> openDesk(const RunRequest& request, const ui::PreparedExercise& exercise);
 
     /// Day, dusk or night for every window of the program; remembered.
     void setColours(ui::PaletteName name);
@@ -58,6 +62,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    using StageFuture = std::future<core::Result<std::unique_ptr<render::Stage>, std::string>>;
+
     QWidget* makeBar();
     void showTop();
     void dropTop();
@@ -69,6 +75,7 @@ private:
     ui::BridgeInput m_input;
     ui::SoundBoard m_sound;
     ui::PaletteName m_colours = ui::PaletteName::Day;
+    StageFuture m_stageComing;  ///< opened aside from the start on
     std::unique_ptr<render::Stage> m_stage;
     std::weak_ptr<const core::World> m_staged;
     QWidget* m_bar;

@@ -46,10 +46,17 @@ wall::Moment StationRun::momentForWall(wall::FrameClock& clock) const {
     return live().toDraw(clock);
 }
 
-std::optional<std::string> StationRun::goBack(std::int64_t second) {
-    if (!mayGoBack()) return "an assessment is graded as it was sailed: it cannot go back";
+core::Result<StationRun::WayBack, std::string> StationRun::wayBack(std::int64_t second) {
+    if (!mayGoBack()) return std::string("an assessment is graded as it was sailed: it cannot go back");
     freeze();
-    auto again = RunLeg::sailAgain(m_store, *m_leg, second * core::kTicksPerSecond);
+    return WayBack([world = world(), recording = recording(), tick = second * core::kTicksPerSecond] {
+        return run::takeUpAt(world, recording, tick);
+    });
+}
+
+std::optional<std::string> StationRun::goBack(run::SetBack there) {
+    freeze();
+    auto again = RunLeg::sailAgain(m_store, std::move(there));
     if (!again) return again.error();
     const double rate = live().rate();
     std::unique_ptr<RunLeg> left = std::move(again).value();

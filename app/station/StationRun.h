@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "app/station/RunLeg.h"
 #include "app/station/RunRequest.h"
 #include "ui/run/ExerciseRun.h"
@@ -41,9 +43,14 @@ public:
 
     /// An assessment counts as it was sailed: it never goes back.
     bool mayGoBack() const { return m_leg->header().runType != "assess"; }
-    /// Back to a second that has been sailed; the run stands still there. What was sailed since stays in a
-    /// recording of its own. The error is for the person who asked; then nothing has changed.
-    std::optional<std::string> goBack(std::int64_t second);
+    /// Reads the recording and sails up to ten seconds of it again: to be called in any thread, also when
+    /// the run has gone. The error is for the person who asked.
+    using WayBack = std::function<core::Result<run::SetBack, std::string>()>;
+    /// To a second that has been sailed. The run is frozen, and stays so until it has gone back.
+    core::Result<WayBack, std::string> wayBack(std::int64_t second);
+    /// The run stands still there. What was sailed since stays in a recording of its own. The error is for
+    /// the person who asked; then nothing has changed.
+    std::optional<std::string> goBack(run::SetBack there);
     /// Of what was sailed before the run was taken up or went back.
     const std::vector<core::TrackSample>& sailedBefore() const { return m_leg->sailedBefore(); }
 

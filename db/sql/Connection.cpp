@@ -1,5 +1,7 @@
 #include "db/sql/Connection.h"
 
+#include <sys/stat.h>
+
 #include <QSqlError>
 #include <QUrl>
 #include <atomic>
@@ -61,6 +63,22 @@ Connection::~Connection() {
 const QSqlDatabase& Connection::handle() const {
     assert(std::this_thread::get_id() == m_owner && "a Database is used by the thread that made it");
     return m_handle;
+}
+
+std::optional<Connection::FileId> Connection::fileThere() const {
+    struct stat found {};
+    if (::stat(m_file.c_str(), &found) != 0) return std::nullopt;
+    return FileId{found.st_dev, found.st_ino};
+}
+
+void Connection::noteFile() { m_noted = fileThere(); }
+
+void Connection::requireInPlace() const {
+    if (!m_noted || fileThere() == m_noted) return;
+    throw problem(
+        DbError::Kind::CannotOpen, m_file,
+        "was deleted, moved or replaced while Sagara had it open. Put it back and start Sagara again; "
+        "runs sailed meanwhile are kept as recordings and filed then");
 }
 
 }  // namespace sagara::db

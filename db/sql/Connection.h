@@ -4,7 +4,9 @@
 #include <QString>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace sagara::db {
 
@@ -24,15 +26,25 @@ public:
     /// Asserts that the caller is on the owning thread.
     const QSqlDatabase& handle() const;
 
+    /// From now on `requireInPlace` compares with the file that is there at this moment.
+    void noteFile();
+    /// Throws DbError once the file noted is deleted, moved or replaced: SQLite would go on writing into what
+    /// nobody can find any more.
+    void requireInPlace() const;
+
     int openTransactions() const { return m_openTransactions; }
     void setOpenTransactions(int count) { m_openTransactions = count; }
 
 private:
+    using FileId = std::pair<std::uint64_t, std::uint64_t>;  ///< device and number on it
+    std::optional<FileId> fileThere() const;
+
     std::filesystem::path m_file;
     std::chrono::milliseconds m_busyTimeout;
     std::thread::id m_owner = std::this_thread::get_id();
     QString m_name;
     QSqlDatabase m_handle;
+    std::optional<FileId> m_noted;
     int m_openTransactions = 0;
 };
 

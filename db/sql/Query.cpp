@@ -20,6 +20,7 @@ QVariant toVariant(Bytes bytes) { return QByteArray(addressOf(bytes.bytes), qsiz
 
 Query::Query(Run, Connection& connection, const QString& sql, const QVariantList& values)
     : m_connection(connection), m_query(connection.handle()) {
+    m_connection.requireInPlace();
     m_query.setForwardOnly(true);
     if (!m_query.prepare(sql)) throw failure(m_connection, m_query.lastError());
     for (const QVariant& value : values) m_query.addBindValue(value);

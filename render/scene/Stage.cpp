@@ -29,15 +29,7 @@ public:
     template <typename F>
     std::optional<std::string> attempt(F&& work) {
         std::optional<std::string> trouble;
-        m_thread.run([&] {
-            try {
-                work();
-            } catch (const Ogre::Exception& e) {
-                trouble = e.getDescription();
-            } catch (const std::runtime_error& e) {
-                trouble = e.what();
-            }
-        });
+        m_thread.run([&] { trouble = tried(work); });
         return trouble;
     }
 
@@ -45,14 +37,32 @@ public:
     void show(std::shared_ptr<const core::World> world) {
         for (const auto& target : m_targets) target->forget();
         m_scene.reset();
+        m_trouble.clear();
         m_scene = std::make_unique<Scene>(*m_host, std::move(world), m_options.assets, m_options.preset,
                                           m_options.ownModels);
     }
     std::vector<std::string> remarks() const {
         return m_scene ? m_scene->remarks() : std::vector<std::string>();
     }
+    void showSoon(std::shared_ptr<const core::World> world) {
+        {
+            const std::lock_guard lock(m_soonMutex);
+            m_soon.reset();
+            ++m_worlds;  // what waits to be drawn is of the world before
+        }
+        m_thread.post([this, world = std::move(world)]() mutable {
+            m_trouble = tried([&] { show(std::move(world)); }).value_or("");
+            for (const auto& target : m_targets) target->state()->setTrouble(m_trouble);
+        });
+    }
     void add(std::shared_ptr<ViewportState> state) {
+        state->setTrouble(m_trouble);
         m_targets.push_back(std::make_unique<ViewTarget>(*m_host, std::move(state), nullptr, true));
+    }
+    void addSoon(std::shared_ptr<ViewportState> state) {
+        m_thread.post([this, state = std::move(state)]() mutable {
+            if (const auto trouble = tried([&] { add(state); })) state->setTrouble(*trouble);
+        });
     }
     void add(std::shared_ptr<ViewportState> state, const WindowOptions& o) {
         auto* window = m_host->openWindow(o);
@@ -69,16 +79,19 @@ public:
     }
 
     void drawSoon(Moment moment) {
+        std::uint64_t worlds = 0;
         {
             const std::lock_guard lock(m_soonMutex);
             const bool waiting = m_soon.has_value();
             m_soon = std::move(moment);
+            worlds = m_worlds;
             if (waiting) return;
         }
-        m_thread.post([this] {
+        m_thread.post([this, worlds] {
             std::optional<Moment> now;
             {
                 const std::lock_guard lock(m_soonMutex);
+                if (worlds != m_worlds) return;
                 now.swap(m_soon);
             }
             try {
@@ -91,6 +104,19 @@ public:
     }
 
 private:
+    /// What went wrong, in words.
+    template <typename F>
+    static std::optional<std::string> tried(F&& work) {
+        try {
+            work();
+        } catch (const Ogre::Exception& e) {
+            return e.getDescription();
+        } catch (const std::runtime_error& e) {
+            return e.what();
+        }
+        return std::nullopt;
+    }
+
     /// A viewport nobody holds any more is not drawn.
     void dropUnused() {
         std::erase_if(m_targets, [](const auto& target) { return target->state().use_count() == 1; });
@@ -100,8 +126,10 @@ private:
     std::unique_ptr<Host> m_host;
     std::unique_ptr<Scene> m_scene;
     std::vector<std::unique_ptr<ViewTarget>> m_targets;
+    std::string m_trouble;  ///< with the scene
     std::mutex m_soonMutex;
     std::optional<Moment> m_soon;  ///< under m_soonMutex
+    std::uint64_t m_worlds = 0;    ///< under m_soonMutex: counts those shown soon
     RenderThread m_thread;
 };
 
@@ -132,6 +160,8 @@ std::optional<std::string> Stage::show(std::shared_ptr<const core::World> world)
     return m_work->attempt([&] { m_work->show(std::move(world)); });
 }
 
+void Stage::showSoon(std::shared_ptr<const core::World> world) { m_work->showSoon(std::move(world)); }
+
 std::vector<std::string> Stage::remarks() const {
     std::vector<std::string> remarks;
     (void)m_work->attempt([&] { remarks = m_work->remarks(); });
@@ -140,7 +170,7 @@ std::vector<std::string> Stage::remarks() const {
 
 std::shared_ptr<Viewport> Stage::addViewport(int width, int height) {
     auto state = std::make_shared<ViewportState>(width, height);
-    (void)m_work->attempt([&] { m_work->add(state); });
+    m_work->addSoon(state);
     return state;
 }
 

@@ -43,6 +43,8 @@ public:
     virtual Size size() const = 0;  ///< of the last picture; of a window, as people have made it
     virtual DrawFigures figures() const = 0;
     virtual bool closed() const = 0;  ///< a person has closed the window
+    virtual std::string trouble()
+        const = 0;  ///< why there is no picture of the present exercise; empty: none
 };
 
 struct WindowOptions {
@@ -65,9 +67,12 @@ public:
 
     /// From now on the pictures are of this exercise. Returns why that failed.
     std::optional<std::string> show(std::shared_ptr<const core::World> world);
+    /// The same without waiting for the scene, which takes some tenths of a second to build; the viewports
+    /// tell what went wrong.
+    void showSoon(std::shared_ptr<const core::World> world);
     /// What is drawn otherwise than this exercise's documents ask, a line each: models that cannot be read.
     std::vector<std::string> remarks() const;
-    std::shared_ptr<Viewport> addViewport(int width, int height);
+    std::shared_ptr<Viewport> addViewport(int width, int height);  ///< does not wait
     core::Result<std::shared_ptr<Viewport>, std::string> addWindow(const WindowOptions& options);
 
     /// Draws the moment in every viewport and waits until the pictures are finished; windows show them only

@@ -218,9 +218,10 @@ void DebriefDesk::layOut() {
     const int side = comparing ? std::clamp(width() / 3, 400, 620) : std::clamp(width() / 5, 335, 420);
     const int views = comparing ? std::clamp(width() / 5, 240, 600) : std::clamp(width() / 3, 300, 760);
     m_across->setSizes({side, width() - side - views, views});
-    if (std::exchange(m_plotsChosen, true)) return;
+    if (std::exchange(m_divided, true)) return;
     const int lower = std::clamp(45 * height() / 100, 320, 500);
     m_down->setSizes({height() - lower, lower});
+    if (m_plotsGiven) return;
     const int room = (lower - m_transport->height() - m_timeline->height() - 8) / kPlot_px;
     for (const PlotKind kind : {PlotKind::Heading, PlotKind::UnderKeel})
         if (static_cast<int>(m_plots->shown().size()) < room)

@@ -65,9 +65,15 @@ public:
     void compare();
     void sailOn();
     void endBranch();
+    /// The plots that are shown, to be kept and given back to another desk.
+    QString plotsShown() const;
+    void showPlots(const QString& kept);
     /// Shows and draws what is now; called by timers, and by tests.
     void refresh();
     void drawViews();
+
+Q_SIGNALS:
+    void plotsChosen();  ///< by the person
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -132,7 +138,8 @@ private:
     bool m_sailWanted = false;
     bool m_haveOrders = false;
     bool m_laidOut = false;
-    bool m_plotsChosen = false;
+    bool m_divided = false;
+    bool m_plotsGiven = false;
     std::pair<std::int64_t, bool> m_chartShows{-1, false};  ///< time of the picture, whether exact
     int m_idleFrames = 0;
 };

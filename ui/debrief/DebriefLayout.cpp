@@ -206,7 +206,22 @@ void DebriefDesk::fillPlotMenu(QMenu& menu) {
             m_plots->setShown(kinds);
             m_plots->setMinimumHeight(m_plots->minimumSizeHint().height());
         });
+        connect(action, &QAction::triggered, this, &DebriefDesk::plotsChosen);
     }
+}
+
+QString DebriefDesk::plotsShown() const {
+    QStringList numbers;
+    for (const PlotKind kind : m_plots->shown()) numbers += QString::number(static_cast<int>(kind));
+    return numbers.join(QLatin1Char(','));
+}
+
+void DebriefDesk::showPlots(const QString& kept) {
+    m_plotsGiven = true;
+    const QStringList numbers = kept.split(QLatin1Char(','));
+    for (int i = 0; i < kPlotKinds; ++i)
+        findChild<QAction*>(QStringLiteral("plot-%1").arg(i))
+            ->setChecked(numbers.contains(QString::number(i)));
 }
 
 QWidget* DebriefDesk::chartPanel() {

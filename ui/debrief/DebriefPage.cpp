@@ -9,13 +9,9 @@
 #include <QVBoxLayout>
 #include <QtConcurrent/QtConcurrentRun>
 
+#include "ui/widgets/PreparedExercise.h"
+
 namespace sagara::ui {
-namespace {
-
-constexpr double kUnderKeel_m = 1.5;  ///< added to the draught for the safety contour
-
-}  // namespace
-
 /// What the thread that opens gives back.
 struct DebriefPage::Opening {
     OpenedRecording recording;
@@ -75,9 +71,7 @@ DebriefPage::DebriefPage(DebriefPorts ports, const QString& name, QWidget* paren
             return opening;
         }
         const auto world = (*replay)->world();
-        const double draught_m = world->ships.empty() ? 3.5 : world->ships[0]->vessel.hull.draught_m;
-        opening->recording.chart =
-            prepareChart(std::shared_ptr<const core::Area>(world, &world->area), draught_m + kUnderKeel_m);
+        opening->recording.chart = prepareChart(world);
         progress->permille = 950;
         opening->recording.plots =
             std::make_shared<const PlotData>(plotData(*world, (*replay)->track(), nullptr));

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kTabs_px = 330;
 
-using Built = core::Result<std::shared_ptr<const core::World>, std::string>;
+using Built = core::Result<PreparedExercise, std::string>;
 
 QString html(const std::string& utf8) { return QString::fromStdString(utf8).toHtmlEscaped(); }
 
@@ -217,7 +217,7 @@ void PractisePage::chooseAssignment(const QString& scenario, int level) {
 }
 
 void PractisePage::lookAtLesson() {
-    m_world.reset();
+    m_lesson = {};
     m_ownWeather->setChecked(false);
     setTrouble({});
     showPreview();
@@ -225,8 +225,8 @@ void PractisePage::lookAtLesson() {
     if (id.empty()) return;
     const auto text = m_ports.find(core::DocumentKind::Scenario, id);
     if (!text) return setTrouble(tr("The lesson cannot be read."));
-    build({id, *text}, tr("Reading the lesson"), [this](World world) {
-        m_world = std::move(world);
+    build({id, *text}, tr("Reading the lesson"), [this](PreparedExercise exercise) {
+        m_lesson = std::move(exercise);
         takeLessonWeather();
         showPreview();
     });
@@ -234,9 +234,9 @@ void PractisePage::lookAtLesson() {
 
 /// Not over what somebody has chosen.
 void PractisePage::takeLessonWeather() {
-    if (free() || !m_world || m_ownWeather->isChecked()) return;
-    m_weather->setUtcOffset(m_world->area.utcOffset_min);
-    m_weather->setWeather(sailWeatherOf(*m_world));
+    if (free() || !m_lesson.world || m_ownWeather->isChecked()) return;
+    m_weather->setUtcOffset(m_lesson.world->area.utcOffset_min);
+    m_weather->setWeather(sailWeatherOf(*m_lesson.world));
 }
 
 void PractisePage::showPreview() {
@@ -246,14 +246,14 @@ void PractisePage::showPreview() {
     else if (free())
         m_preview->setHtml(m_free->words());
     else
-        m_preview->setHtml(m_world ? briefing(*m_world) : QString());
+        m_preview->setHtml(m_lesson.world ? briefing(*m_lesson.world) : QString());
     m_best->setText(free() ? QString() : m_person->bestOf(lesson()));
     m_best->setVisible(!m_best->text().isEmpty());
     enable();
 }
 
 void PractisePage::enable() {
-    const bool something = free() ? m_free->sail().has_value() : m_world != nullptr;
+    const bool something = free() ? m_free->sail().has_value() : m_lesson.world != nullptr;
     m_sail->setEnabled(something && m_busy->isHidden() && m_person->problem().isEmpty());
 }
 
@@ -282,16 +282,13 @@ void PractisePage::build(core::NamedText scenario, const QString& doing, Then th
         if (!built) return setTrouble(QString::fromStdString(built.error()));
         then(built.value());
     });
-    watcher->setFuture(QtConcurrent::run([documents = std::move(documents).value()]() -> Built {
-        auto world = core::buildWorld(documents, 1);
-        if (!world) return world.error().text();
-        return std::move(world).value();
-    }));
+    watcher->setFuture(
+        QtConcurrent::run([documents = std::move(documents).value()] { return prepareExercise(documents); }));
 }
 
 void PractisePage::setSail() {
     setTrouble({});
-    if (!free() && !m_ownWeather->isChecked()) return sail(m_world);
+    if (!free() && !m_ownWeather->isChecked()) return sail(m_lesson);
     core::NamedText scenario;
     if (free()) {
         auto chosen = m_free->sail();
@@ -303,16 +300,19 @@ void PractisePage::setSail() {
         if (!text) return setTrouble(tr("The lesson cannot be read."));
         scenario = {lesson(), withWeather(*text, m_weather->weather())};
     }
-    build(std::move(scenario), tr("Setting up"), [this](const World& world) { sail(world); });
+    build(std::move(scenario), tr("Setting up"),
+          [this](const PreparedExercise& exercise) { sail(exercise); });
 }
 
-void PractisePage::sail(const World& world) {
+void PractisePage::sail(const PreparedExercise& exercise) {
     PractiseChoice choice;
     choice.person = m_person->person();
     choice.level = m_level->currentData().toInt();
     choice.prediction = m_prediction->isChecked();
     choice.hints = m_hints->isChecked();
-    if (const auto trouble = m_ports.sail(world, choice)) setTrouble(QString::fromStdString(*trouble));
+    choice.chart = exercise.chart;
+    if (const auto trouble = m_ports.sail(exercise.world, choice))
+        setTrouble(QString::fromStdString(*trouble));
 }
 
 }  // namespace sagara::ui

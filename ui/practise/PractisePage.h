@@ -2,6 +2,7 @@
 
 #include "ui/practise/PractisePorts.h"
 #include "ui/theme/Page.h"
+#include "ui/widgets/PreparedExercise.h"
 
 class QCheckBox;
 class QComboBox;
@@ -32,8 +33,7 @@ protected:
     void showEvent(QShowEvent*) override;
 
 private:
-    using World = std::shared_ptr<const core::World>;
-    using Then = std::function<void(World)>;
+    using Then = std::function<void(PreparedExercise)>;
 
     QWidget* choiceColumn();
     QWidget* previewColumn();
@@ -44,7 +44,7 @@ private:
     void showPreview();
     void chooseAssignment(const QString& scenario, int level);
     void setSail();
-    void sail(const World& world);
+    void sail(const PreparedExercise& exercise);
     /// Builds it aside and goes on with it unless something else was begun meanwhile.
     void build(core::NamedText scenario, const QString& doing, Then then);
     void setBusy(const QString& doing);
@@ -67,7 +67,7 @@ private:
     QLabel* m_doing;
     QLabel* m_trouble;
     QPushButton* m_sail;
-    World m_world;  ///< of the lesson chosen, as it is written; null while it is being built
+    PreparedExercise m_lesson;  ///< the one chosen, as it is written; empty while it is being built
     int m_token = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/exercise/Documents.h"
 #include "core/exercise/World.h"
+#include "ui/widgets/PreparedChart.h"
 
 /// What the practise pages know of the installation, and ask of it. Whoever opens the door supplies it.
 namespace sagara::ui {
@@ -46,6 +47,7 @@ struct PractiseChoice {
     int level = 3;
     bool prediction = true;
     bool hints = true;
+    std::shared_ptr<const PreparedChart> chart = nullptr;  ///< of the exercise's area
 };
 
 struct PractisePorts {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/theme/KeptTables.h"
 #include "ui/theme/ThemeColours.h"
 
 namespace sagara::ui::roster {
@@ -268,8 +269,10 @@ void RowsView::keyPressEvent(QKeyEvent* event) {
     QTableView::keyPressEvent(event);
 }
 
-/// As wide as their words, and what is left over to those that stretch.
+/// As wide as their words, and what is left over to those that stretch; not over what a person has chosen.
 void RowsView::fitColumns() {
+    if (property(kept::kWidthsChosen).toBool()) return;
+    setProperty(kept::kFitting, true);
     const auto& columns = m_model->columns();
     const int count = static_cast<int>(columns.size());
     std::vector<int> wanted(columns.size());
@@ -293,6 +296,7 @@ void RowsView::fitColumns() {
         // Too narrow a window takes from the columns that stretch, too, down to a word.
         setColumnWidth(c, gets ? std::max(90, wanted[i] + spare_px / stretching) : wanted[i]);
     }
+    setProperty(kept::kFitting, false);
 }
 
 }  // namespace sagara::ui::roster

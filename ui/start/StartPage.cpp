@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QCompleter>
 #include <QFormLayout>
+#include <QFutureWatcher>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,6 +12,7 @@
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <QtConcurrent/QtConcurrentRun>
 
 namespace sagara::ui {
 namespace {
@@ -51,11 +53,11 @@ QString briefingHtml(const core::World& world) {
     return text + QStringLiteral("<p><i>%1. %2</i></p>").arg(html(m.competenceCode), html(world.area.notice));
 }
 
-StartPage::StartPage(For whom, std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent)
+StartPage::StartPage(For whom, std::vector<ScenarioEntry> scenarios, Documents documents, QWidget* parent)
     : Page(parent),
       m_for(whom),
       m_scenarios(std::move(scenarios)),
-      m_look(std::move(look)),
+      m_documents(std::move(documents)),
       m_list(new QListWidget(this)),
       m_briefing(new QTextBrowser(this)),
       m_level(new QComboBox(this)),
@@ -103,7 +105,7 @@ StartPage::StartPage(For whom, std::vector<ScenarioEntry> scenarios, Look look, 
     layout->addWidget(m_briefing, 3);
 
     for (const ScenarioEntry& entry : m_scenarios) m_list->addItem(QString::fromStdString(entry.name));
-    connect(m_list, &QListWidget::currentRowChanged, this, &StartPage::showBriefing);
+    connect(m_list, &QListWidget::currentRowChanged, this, &StartPage::prepare);
     connect(m_list, &QListWidget::itemActivated, this, &StartPage::open);
     connect(m_open, &QPushButton::clicked, this, &StartPage::open);
     if (m_scenarios.empty()) {
@@ -124,26 +126,46 @@ void StartPage::setNames(const QStringList& names) {
 
 void StartPage::setTrouble(const QString& trouble) { m_trouble->setText(trouble); }
 
-void StartPage::showBriefing(int row) {
+void StartPage::prepare(int row) {
     if (row < 0) return;
     setTrouble({});
-    const auto world = m_look(m_scenarios[static_cast<std::size_t>(row)].id);
-    m_open->setEnabled(static_cast<bool>(world));
-    if (!world) {
-        m_briefing->setPlainText(
-            tr("This scenario cannot be sailed:\n\n%1").arg(QString::fromStdString(world.error())));
-        return;
-    }
-    m_pilot->setEnabled(m_for == For::Trainer && !(*world)->pilot.empty());
-    m_briefing->setHtml(briefingHtml(**world));
+    m_exercise = {};
+    m_openWhenBuilt = false;
+    const int asked = ++m_asked;
+    auto documents = m_documents(m_scenarios[static_cast<std::size_t>(row)].id);
+    if (!documents) return refuse(documents.error());
+    m_open->setEnabled(true);
+    m_briefing->setPlainText(tr("Preparing the exercise ..."));
+    auto* const watcher = new QFutureWatcher<Built>(this);
+    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, asked] {
+        watcher->deleteLater();
+        if (asked == m_asked) take(watcher->result());  // else another was chosen meanwhile
+    });
+    watcher->setFuture(
+        QtConcurrent::run([documents = std::move(documents).value()] { return prepareExercise(documents); }));
+}
+
+void StartPage::take(const Built& built) {
+    if (!built) return refuse(built.error());
+    m_exercise = built.value();
+    m_pilot->setEnabled(m_for == For::Trainer && !m_exercise.world->pilot.empty());
+    m_briefing->setHtml(briefingHtml(*m_exercise.world));
+    if (m_openWhenBuilt) open();
+}
+
+void StartPage::refuse(const std::string& why) {
+    m_open->setEnabled(false);
+    m_briefing->setPlainText(tr("This scenario cannot be sailed:\n\n%1").arg(QString::fromStdString(why)));
 }
 
 void StartPage::open() {
     const int row = m_list->currentRow();
     if (row < 0 || !m_open->isEnabled()) return;
+    m_openWhenBuilt = !m_exercise.world;
+    if (m_openWhenBuilt) return;
     Q_EMIT chosen({m_scenarios[static_cast<std::size_t>(row)].id, m_level->currentData().toInt(),
                    m_type->currentData().toString().toStdString(), m_trainee->text().trimmed().toStdString(),
-                   m_pilot->isEnabled() && m_pilot->isChecked()});
+                   m_pilot->isEnabled() && m_pilot->isChecked(), m_exercise});
 }
 
 }  // namespace sagara::ui

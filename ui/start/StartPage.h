@@ -4,8 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/exercise/World.h"
+#include "core/exercise/Documents.h"
 #include "ui/theme/Page.h"
+#include "ui/widgets/PreparedExercise.h"
 
 class QCheckBox;
 class QComboBox;
@@ -30,20 +31,20 @@ struct StartChoice {
     std::string type;     ///< "train", "assess", ...
     std::string trainee;  ///< empty: nobody named
     bool pilot = false;
+    PreparedExercise exercise;
 };
 
-/// Choosing an exercise: which, how hard, for whom, as what. Shows the briefing of what is chosen. A trainee
-/// finds no scripted pilot here.
+/// Choosing an exercise: which, how hard, for whom, as what. Shows the briefing of what is chosen, which is
+/// built aside; who opens it before that is done waits for it. A trainee finds no scripted pilot here.
 class StartPage final : public Page {
     Q_OBJECT
 
 public:
-    /// Builds a scenario for its briefing, or tells what is wrong with it.
-    using Look =
-        std::function<core::Result<std::shared_ptr<const core::World>, std::string>(const std::string&)>;
+    /// The documents of a scenario, or what is wrong with it.
+    using Documents = std::function<core::Result<core::ExerciseDocuments, std::string>(const std::string&)>;
 
     enum class For { Trainer, Trainee };
-    StartPage(For whom, std::vector<ScenarioEntry> scenarios, Look look, QWidget* parent = nullptr);
+    StartPage(For whom, std::vector<ScenarioEntry> scenarios, Documents documents, QWidget* parent = nullptr);
     void setNames(const QStringList& names);  ///< of the roster, to choose from while typing
     QString helpTopic() const override { return QStringLiteral("lesson"); }
     void setTrouble(const QString& trouble);  ///< shown until the next choice; empty: none
@@ -52,12 +53,19 @@ Q_SIGNALS:
     void chosen(const sagara::ui::StartChoice& choice);
 
 private:
-    void showBriefing(int row);
+    using Built = core::Result<PreparedExercise, std::string>;
+
+    void prepare(int row);
+    void take(const Built& built);
+    void refuse(const std::string& why);
     void open();
 
     const For m_for;
     std::vector<ScenarioEntry> m_scenarios;
-    Look m_look;
+    Documents m_documents;
+    PreparedExercise m_exercise;  ///< the one chosen; empty while it is built
+    int m_asked = 0;              ///< counts what was chosen
+    bool m_openWhenBuilt = false;
     QListWidget* m_list;
     QTextBrowser* m_briefing;
     QComboBox* m_level;

@@ -12,22 +12,25 @@
 #include "ui/run/RunTexts.h"
 #include "ui/trainee/AisTargets.h"
 #include "ui/widgets/ChartWidget.h"
+#include "ui/widgets/PreparedExercise.h"
 #include "ui/widgets/PrintChart.h"
 #include "ui/widgets/SnapshotScene.h"
 
 namespace sagara::ui::console {
 namespace {
 
-constexpr double kUnderKeel_m = 1.5;  ///< added to the draught for the safety contour
 constexpr double kPrediction_s = 360.0, kPredictionStep_s = 10.0;
 
 }  // namespace
 
-ChartPage::ChartPage(ExerciseRun& run, std::size_t ship, bool prediction, QWidget* parent)
-    : QWidget(parent), m_run(run), m_ship(ship), m_prediction(prediction), m_chart(new ChartWidget(this)) {
+ChartPage::ChartPage(ExerciseRun& run, const ConsoleOptions& options, QWidget* parent)
+    : QWidget(parent),
+      m_run(run),
+      m_ship(options.ship),
+      m_prediction(options.prediction),
+      m_prepared(options.chart ? options.chart : prepareChart(run.world(), options.ship)),
+      m_chart(new ChartWidget(this)) {
     const core::World& world = *run.world();
-    const double safety_m = world.ships[ship]->vessel.hull.draught_m + kUnderKeel_m;
-    m_prepared = prepareChart(std::shared_ptr<const core::Area>(run.world(), &world.area), safety_m);
     m_chart->setObjectName(QStringLiteral("chart"));
     m_chart->setChart(m_prepared);
     m_chart->setRoute(world.route);

@@ -6,13 +6,13 @@
 #include "ui/run/ExerciseRun.h"
 #include "ui/theme/PaletteName.h"
 #include "ui/trainee/Bearings.h"
+#include "ui/trainee/ConsoleOptions.h"
 
 class QAction;
 class QToolBar;
 
 namespace sagara::ui {
 class ChartWidget;
-struct PreparedChart;
 }  // namespace sagara::ui
 
 namespace sagara::ui::console {
@@ -23,8 +23,7 @@ class ChartPage final : public QWidget {
     Q_OBJECT
 
 public:
-    /// `prediction`: the line where the ship will be is drawn.
-    ChartPage(ExerciseRun& run, std::size_t ship, bool prediction, QWidget* parent = nullptr);
+    ChartPage(ExerciseRun& run, const ConsoleOptions& options, QWidget* parent = nullptr);
     void setColours(PaletteName name);
     void show(const core::Snapshot& now);
     using QWidget::show;

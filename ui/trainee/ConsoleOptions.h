@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "ui/theme/PaletteName.h"
 
 namespace sagara::ui {
+
+struct PreparedChart;
 
 /// How a trainee's console is used.
 struct ConsoleOptions {
@@ -14,6 +18,8 @@ struct ConsoleOptions {
     bool drawsStage = true;        ///< false where another window draws the same stage at its own pace
     bool keys = true;              ///< orders by key; false where ui/input watches this window
     PaletteName colours = PaletteName::Day;
+    /// Of the run's area; null: it is made with the console, which takes a tenth of a second.
+    std::shared_ptr<const PreparedChart> chart = nullptr;
 };
 
 }  // namespace sagara::ui

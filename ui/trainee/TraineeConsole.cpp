@@ -107,7 +107,7 @@ QWidget* TraineeConsole::makeBridge(render::Stage* stage) {
     auto* const bridge = new QWidget(this);
     m_instruments = new console::InstrumentStrip(world, m_options.ship, bridge);
     m_view = new console::ViewPanel(stage, m_options.ship, bridge);
-    m_chart = new console::ChartPage(m_run, m_options.ship, m_options.prediction, bridge);
+    m_chart = new console::ChartPage(m_run, m_options, bridge);
     m_radar = new console::RadarPage(world, m_options.ship, bridge);
     m_sounding = new console::SoundingPage(world, m_options.ship, bridge);
     m_controls = new console::ControlRow(m_run, m_options.ship, bridge);

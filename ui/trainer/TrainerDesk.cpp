@@ -29,6 +29,7 @@
 #include "ui/viewport/ViewportWidget.h"
 #include "ui/widgets/ChartWidget.h"
 #include "ui/widgets/ForceArrows.h"
+#include "ui/widgets/PreparedExercise.h"
 #include "ui/widgets/PrintChart.h"
 #include "ui/widgets/SnapshotScene.h"
 
@@ -36,13 +37,13 @@ namespace sagara::ui {
 namespace {
 
 constexpr int kFrame_ms = 40, kBeat_ms = 200;
-constexpr double kUnderKeel_m = 1.5;  ///< added to the draught for the safety contour
 constexpr double kPrediction_s = 360.0, kPredictionStep_s = 10.0;
 constexpr double kLongestArrow_px = 110.0;
 
 }  // namespace
 
-TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent)
+TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent,
+                         std::shared_ptr<const PreparedChart> chart)
     : QMainWindow(parent),
       m_run(run),
       m_stage(stage),
@@ -59,9 +60,7 @@ TrainerDesk::TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent
     setContextMenuPolicy(Qt::NoContextMenu);
     const core::World& world = *run.world();
     setWindowTitle(tr("%1 - Sagara").arg(QString::fromStdString(world.scenarioName)));
-    double safety_m = 5.0;
-    if (!world.ships.empty()) safety_m = world.ships[0]->vessel.hull.draught_m + kUnderKeel_m;
-    m_chart->setChart(prepareChart(std::shared_ptr<const core::Area>(run.world(), &world.area), safety_m));
+    m_chart->setChart(chart ? std::move(chart) : prepareChart(run.world()));
     m_chart->setRoute(world.route);
     m_chart->setTracks({ChartTrack{}});
     m_chart->setObjectName(QStringLiteral("chart"));

@@ -26,6 +26,7 @@ class ReadingStrip;
 class RunBar;
 class TrafficBoard;
 class ViewportWidget;
+struct PreparedChart;
 
 /// The trainer's desk: panels at the left, chart, two views, and everything that is done to a run.
 class TrainerDesk final : public QMainWindow {
@@ -33,7 +34,9 @@ class TrainerDesk final : public QMainWindow {
 
 public:
     /// `stage` may be null where there is no GL: the views then say so. It shows the run's world already.
-    TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent = nullptr);
+    /// `chart`: of the run's area; null: it is made here, which takes a tenth of a second.
+    TrainerDesk(ExerciseRun& run, render::Stage* stage, QWidget* parent = nullptr,
+                std::shared_ptr<const PreparedChart> chart = nullptr);
     ~TrainerDesk() override;
 
     /// The chart, everything painted by hand and the icons; ordinary widgets follow the application.

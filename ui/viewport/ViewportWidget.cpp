@@ -42,7 +42,10 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
     if (!m_shown) {
         painter.fillRect(rect(), Qt::black);
         painter.setPen(Qt::lightGray);
-        painter.drawText(rect(), Qt::AlignCenter, tr("The view comes with the exercise."));
+        const std::string trouble = m_viewport->trouble();
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                         trouble.empty() ? tr("The view comes with the exercise.")
+                                         : tr("No view: %1").arg(QString::fromStdString(trouble)));
         return;
     }
     const QImage image(m_shown->bgra.data(), m_shown->width, m_shown->height,

@@ -46,6 +46,14 @@ DrawFigures ViewportState::figures() const {
     const std::lock_guard lock(m_mutex);
     return m_figures;
 }
+std::string ViewportState::trouble() const {
+    const std::lock_guard lock(m_mutex);
+    return m_trouble;
+}
+void ViewportState::setTrouble(std::string trouble) {
+    const std::lock_guard lock(m_mutex);
+    m_trouble = std::move(trouble);
+}
 ViewportState::Wanted ViewportState::wanted() const {
     const std::lock_guard lock(m_mutex);
     return {m_width, m_height, m_camera};

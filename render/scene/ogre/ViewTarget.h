@@ -23,6 +23,7 @@ public:
     Size size() const override;
     DrawFigures figures() const override;
     bool closed() const override { return m_closed; }
+    std::string trouble() const override;
 
     struct Wanted {
         int width;
@@ -32,6 +33,7 @@ public:
     Wanted wanted() const;
     void finish(std::shared_ptr<const Picture> picture, Size size, DrawFigures figures);
     void close() { m_closed = true; }
+    void setTrouble(std::string trouble);
 
 private:
     mutable std::mutex m_mutex;
@@ -41,6 +43,7 @@ private:
     std::shared_ptr<const Picture> m_latest;
     Size m_size;
     DrawFigures m_figures;
+    std::string m_trouble;
     std::atomic<bool> m_closed = false;
 };
 

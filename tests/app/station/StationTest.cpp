@@ -4,14 +4,17 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSlider>
+#include <QTableView>
 #include <QTest>
 #include <cstdlib>
 #include <fstream>
@@ -22,6 +25,7 @@
 #include "core/exercise/Replay.h"
 #include "core/exercise/Session.h"
 #include "db/RunRepository.h"
+#include "ui/debrief/DebriefPage.h"
 #include "ui/start/StartPage.h"
 #include "ui/trainer/RunBar.h"
 #include "ui/trainer/TrainerDesk.h"
@@ -61,7 +65,67 @@ protected:
         openLessons();
         find<QListWidget>("scenarios")->setCurrentRow(row);
         QTest::mouseClick(find<QPushButton>("open"), Qt::LeftButton);
-        ASSERT_NE(page(), nullptr);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return page() != nullptr; }, 30'000));  // it is built aside
+    }
+    /// A run of the pilot at twenty times the pace, so far.
+    void sail(double until_s) {
+        RunRequest request;
+        request.scenario = "basic-navigation";
+        request.trainee = "Nimal Perera";
+        request.pilot = true;
+        ASSERT_FALSE(m_station->openRun(request));
+        run().setRate(20.0);
+        run().start();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > until_s; }, 60'000));
+    }
+    void startAgain() {
+        m_station.reset();
+        m_store.reset();
+        auto store = run::Store::open(m_folder);
+        ASSERT_TRUE(store) << store.error();
+        m_store = std::move(store).value();
+        m_station = std::make_unique<Station>(*m_store,
+                                              render::StageOptions{SAGARA_ASSETS, render::Preset::Low, true});
+        m_station->resize(1280, 720);
+        m_station->show();
+    }
+    int noticesThatSay(const QString& text) {
+        int found = 0;
+        for (const QLabel* said : m_station->findChildren<QLabel*>(QStringLiteral("notice-text")))
+            found += said->text().contains(text) ? 1 : 0;
+        return found;
+    }
+    /// Ended though the database is away, told on the page of its result; filed, once, by the next start.
+    void expectKeptAndFiledLater(const std::function<void()>& comesBack) {
+        ASSERT_TRUE(run().running());
+        const double then_s = run().latest()->time().seconds();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > then_s + 5.0; }, 60'000));
+        run().freeze();
+        QTest::qWait(200);
+        const auto hash = core::stateHash(run().state());
+        const fs::path name = run().recording().filename();
+        page()->endRun();
+        ASSERT_EQ(page(), nullptr);
+        bool told = false;
+        for (const QLabel* label : m_station->page()->findChildren<QLabel*>())
+            told = told || label->text().contains(QStringLiteral("filed at a later start"));
+        EXPECT_TRUE(told);
+        keepPicture("database-gone.png");
+        for (const char* door : {"door-roster", "door-debrief", "door-lesson", "door-practise"}) {
+            ASSERT_TRUE(m_station->leaveAll());
+            QTest::mouseClick(find<QPushButton>(door), Qt::LeftButton);  // says so, and stands
+            QApplication::processEvents();
+        }
+        comesBack();
+        startAgain();
+        EXPECT_EQ(noticesThatSay(QStringLiteral("Filed the earlier run")), 1);
+        const auto runs = db::RunRepository(*m_store->database()).list();
+        ASSERT_EQ(runs.size(), 1u);
+        EXPECT_EQ(runs[0].status, db::RunStatus::Aborted);
+        EXPECT_EQ(m_store->folder().pathOf(runs[0].start.recordingFile).filename(), name);
+        EXPECT_EQ(runs[0].stateHash, hash);
+        startAgain();
+        EXPECT_EQ(noticesThatSay(QStringLiteral("earlier run")), 0);
     }
     DeskPage* page() { return dynamic_cast<DeskPage*>(m_station->page()); }
     StationRun& run() { return page()->run(); }
@@ -200,7 +264,11 @@ TEST_F(StationWindow, GoesBackToTheVeryStart) {
     run().give(0, core::HelmOrder{0.2});
     run().start();
     ASSERT_TRUE(QTest::qWaitFor([&] { return run().latest()->time().seconds() > 1.2; }, 60'000));
-    ASSERT_EQ(run().goBack(0).value_or(""), "");
+    const auto way = run().wayBack(0);
+    ASSERT_TRUE(way) << way.error();
+    auto there = way.value()();
+    ASSERT_TRUE(there) << there.error();
+    ASSERT_EQ(run().goBack(std::move(there).value()).value_or(""), "");
     EXPECT_EQ(core::stateHash(run().state()), first);
     EXPECT_TRUE(run().eventsFrom(0).empty());
     run().start();
@@ -213,13 +281,114 @@ TEST_F(StationWindow, GoesBackToTheVeryStart) {
     EXPECT_TRUE(replayed) << replayed.error();
 }
 
+TEST_F(StationWindow, GoingBackIsCalledOffOrLeftAlone) {
+    sail(20.0);
+    const fs::path first = run().recording();
+    Q_EMIT desk()->goBackWanted(15);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !desk()->isEnabled(); }, 10'000));
+    keepPicture("going-back.png");
+    QTest::mouseClick(find<QPushButton>("stay"), Qt::LeftButton);
+    EXPECT_TRUE(desk()->isEnabled());
+    QTest::qWait(1000);
+    EXPECT_EQ(run().recording(), first);
+    EXPECT_FALSE(run().running());
+    run().start();
+    EXPECT_TRUE(run().running());
+
+    Q_EMIT desk()->goBackWanted(5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !desk()->isEnabled(); }, 10'000));
+    page()->endRun();  // while it is worked out
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page() == nullptr; }, 10'000));
+    QTest::qWait(1000);
+    EXPECT_EQ(db::RunRepository(*m_store->database()).list().size(), 1u);
+}
+
+TEST_F(StationWindow, WhoOpensALessonBeforeItIsBuiltWaitsForIt) {
+    openLessons();
+    auto* const list = find<QListWidget>("scenarios");
+    for (int row = 0; row < list->count(); ++row) list->setCurrentRow(row);
+    list->setCurrentRow(0);
+    QTest::mouseClick(find<QPushButton>("open"), Qt::LeftButton);
+    EXPECT_EQ(page(), nullptr);  // the page with its list stays, and answers
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page() != nullptr; }, 30'000));
+    EXPECT_EQ(run().world()->scenarioName, "Basic Navigation");
+    page()->endRun();
+    ASSERT_TRUE(m_station->leaveAll());
+
+    openLessons();
+    find<QListWidget>("scenarios")->setCurrentRow(1);
+    QTest::mouseClick(find<QPushButton>("open"), Qt::LeftButton);
+    ASSERT_TRUE(m_station->leaveAll());  // while it is built
+    QTest::qWait(1000);
+    EXPECT_EQ(m_station->depth(), 1u);
+}
+
+TEST_F(StationWindow, ARunOutlivesItsDatabaseAndIsFiledByTheNextStart) {
+    sail(5.0);
+    for (const char* end : {"", "-wal", "-shm"}) fs::remove(m_store->folder().database().string() + end);
+    expectKeptAndFiledLater([] {});
+}
+
+TEST_F(StationWindow, ARunOutlivesItsWholeFolderAndIsFiledByTheNextStart) {
+    sail(5.0);
+    const fs::path away = m_folder.string() + "-away";
+    fs::remove_all(away);
+    fs::rename(m_folder, away);
+    expectKeptAndFiledLater([&] {
+        fs::remove_all(m_folder);
+        fs::rename(away, m_folder);
+    });
+}
+
+TEST_F(StationWindow, WidthsAndSortingOfTablesAreKept) {
+    const auto table = [this] {
+        QTest::mouseClick(find<QPushButton>("door-roster"), Qt::LeftButton);
+        QTest::qWait(100);
+        auto* const view = m_station->page()->findChild<QTableView*>();
+        EXPECT_NE(view, nullptr);
+        return view;
+    };
+    auto* const before = table()->horizontalHeader();
+    before->resizeSection(1, 137);
+    before->setSortIndicator(1, Qt::DescendingOrder);
+    ASSERT_TRUE(m_station->leaveAll());
+    startAgain();
+    auto* const after = table()->horizontalHeader();
+    EXPECT_EQ(after->sectionSize(1), 137);
+    EXPECT_EQ(after->sortIndicatorSection(), 1);
+    EXPECT_EQ(after->sortIndicatorOrder(), Qt::DescendingOrder);
+}
+
+TEST_F(StationWindow, TheChoiceOfPlotsIsKept) {
+    sail(5.0);
+    const fs::path recording = run().recording();
+    page()->endRun();
+    const auto debriefing = [&]() -> ui::DebriefDesk* {
+        EXPECT_FALSE(m_station->openDebrief(recording));
+        auto* const shown = dynamic_cast<ui::DebriefPage*>(m_station->page());
+        EXPECT_TRUE(QTest::qWaitFor([&] { return shown->desk() != nullptr; }, 30'000));
+        QTest::qWait(200);
+        return shown->desk();
+    };
+    ui::DebriefDesk* desk = debriefing();
+    for (int i = 0; i < 3; ++i) desk->findChild<QAction*>(QStringLiteral("plot-%1").arg(i))->trigger();
+    const QString chosen = desk->plotsShown();
+    ASSERT_TRUE(m_station->leavePage());
+    desk = debriefing();
+    EXPECT_EQ(desk->plotsShown(), chosen);
+    ASSERT_TRUE(m_station->leavePage());
+    EXPECT_FALSE(m_station->openDebrief(recording));
+    ASSERT_TRUE(m_station->leavePage());  // before it is open
+    QTest::qWait(1000);
+}
+
 TEST_F(StationWindow, AnAssessmentDoesNotGoBack) {
     RunRequest request;
     request.scenario = "basic-navigation";
     request.type = "assess";
     ASSERT_FALSE(m_station->openRun(request));
     EXPECT_FALSE(find<QPushButton>("go-back")->isEnabled());
-    EXPECT_TRUE(run().goBack(0));
+    EXPECT_FALSE(run().wayBack(0));
 }
 
 TEST_F(StationWindow, ARunThatWasBrokenOffIsTakenUp) {

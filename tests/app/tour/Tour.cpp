@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <set>
 
@@ -37,6 +38,12 @@ void lookAtPanels(Screens& screens, ui::TrainerDesk& desk) {
     }
 }
 
+/// The exercise that is chosen is built aside.
+void awaitBriefing(Screens& screens) {
+    auto* const words = screens.station().page()->findChild<QTextBrowser*>();
+    screens.waitFor(s("the briefing"), [&] { return words != nullptr && words->toPlainText().size() > 200; });
+}
+
 /// Start page -> Teach: a lesson sailed by the pilot with the wall on and weather changed, its result,
 /// debriefed.
 void teach(Screens& screens) {
@@ -44,6 +51,7 @@ void teach(Screens& screens) {
     screens.click(s("door-lesson"));
     if (auto* const list = screens.find<QListWidget>(s("scenarios"))) list->setCurrentRow(0);
     screens.click(s("pilot"));
+    awaitBriefing(screens);
     screens.keep(s("lesson"));
     screens.click(s("open"));
     auto* const page = dynamic_cast<station::DeskPage*>(screens.station().page());
@@ -118,6 +126,7 @@ void restOfTeaching(Screens& screens) {
 void train(Screens& screens) {
     screens.click(s("door-train"));
     screens.type(s("trainee"), s("Nimal Perera"));
+    awaitBriefing(screens);
     screens.keep(s("watch"));
     screens.click(s("open"));
     auto* const page = dynamic_cast<station::SailPage*>(screens.station().page());

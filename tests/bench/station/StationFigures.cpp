@@ -5,12 +5,12 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
 
+#include "StallMeter.h"
 #include "app/station/DeskPage.h"
 #include "app/station/Station.h"
 #include "ui/trainer/TrainerDesk.h"
@@ -18,41 +18,6 @@
 
 namespace sagara::station {
 namespace {
-
-/// Longest time the thread of the windows did not come back to its events.
-class StallMeter : public QObject {
-public:
-    StallMeter() {
-        m_clock.start();
-        auto* const beat = new QTimer(this);
-        beat->setTimerType(Qt::PreciseTimer);
-        connect(beat, &QTimer::timeout, this, [this] {
-            const double gap_ms = 1e-6 * static_cast<double>(m_clock.nsecsElapsed()) - kBeat_ms;
-            m_clock.restart();
-            m_gaps_ms.push_back(std::max(0.0, gap_ms));
-        });
-        beat->start(kBeat_ms);
-    }
-    void begin() {
-        m_gaps_ms.clear();
-        m_clock.restart();
-    }
-    std::string text() {
-        std::sort(m_gaps_ms.begin(), m_gaps_ms.end());
-        const auto at = [&](double q) {
-            return m_gaps_ms[static_cast<std::size_t>(q * static_cast<double>(m_gaps_ms.size() - 1))];
-        };
-        char line[120];
-        std::snprintf(line, sizeof line, "stalls of the windows: longest %.0f ms, p99 %.0f ms, of %zu beats",
-                      at(1.0), at(0.99), m_gaps_ms.size());
-        return line;
-    }
-
-private:
-    static constexpr int kBeat_ms = 5;
-    QElapsedTimer m_clock;
-    std::vector<double> m_gaps_ms;
-};
 
 double resident_MB() {
     std::ifstream status("/proc/self/status");
