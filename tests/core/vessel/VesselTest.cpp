@@ -81,12 +81,14 @@ TEST(Vessel, PhysicalNonsenseIsRefusedWithTheNumbers) {
 
 TEST(Vessel, ATermThatIsNotAProductIsRefused) {
     EXPECT_NE(problemsOf(replaced(patrol(), "\"of\": \"phi^3\"", "\"of\": \"phi^9\""))
-                  .find("is \"phi^9\", expected up to four"),
+                  .find("is \"phi^9\", expected up to six"),
               std::string::npos);
-    std::array<PolynomialTerm::Factor, 4> f{};
+    std::array<PolynomialTerm::Factor, PolynomialTerm::kFactors> f{};
     EXPECT_TRUE(parseFactors("phi u^2", f));
     EXPECT_EQ(f[2], PolynomialTerm::Factor::Surge);
-    for (const char* bad : {"", "w", "u u u u u", "u^", "u^5", "|u", "u*v"})
+    EXPECT_TRUE(parseFactors("c^2 |atan(v/u)| |delta| z", f));
+    EXPECT_EQ(f[2], absolute(PolynomialTerm::Factor::Sideslip));
+    for (const char* bad : {"", "w", "u^4 v^3", "u^", "u^5", "|u", "u*v"})
         EXPECT_FALSE(parseFactors(bad, f)) << bad;
 }
 
