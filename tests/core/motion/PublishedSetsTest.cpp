@@ -88,5 +88,67 @@ TEST_P(PublishedSet, FollowsItsComputedTrace) {
 INSTANTIATE_TEST_SUITE_P(Traces, PublishedSet, ::testing::ValuesIn(kRuns),
                          [](const auto& row) { return std::string(row.param.file); });
 
+/// Where a set holds its model is the ship's whole truth, and the change to the other one has no step.
+class HandingOver : public ::testing::TestWithParam<const char*> {
+protected:
+    const Vessel vessel = shipped(GetParam());
+    const WaveTable calm{1, 1e6};
+    const ShipDynamics ship{vessel, calm};
+    const HoldsIn holds = *vessel.models[0].holds;
+
+    static ShipMotion at(double surge_mps) {
+        ShipMotion m;
+        m.surge_mps = surge_mps;
+        m.sway_mps = -0.3;
+        m.yawRate_radps = 0.005;
+        m.roll_rad = 0.02;
+        return m;
+    }
+    ShipMotion rate(double surge_mps, double shaft_rps) const {
+        Actuators actuators;
+        actuators.rudder_rad = 0.2;
+        actuators.shaft_rps.fill(shaft_rps);
+        return ship.derivative(at(surge_mps), actuators, {}, {}, {});
+    }
+};
+
+TEST_P(HandingOver, ThePublishedSetAloneRulesInItsRange) {
+    const PolynomialShip set(std::get<PolynomialModel>(vessel.models[0].parameters), vessel);
+    for (double u = holds.from_mps; u <= holds.to_mps; u += 0.25) {
+        Actuators actuators;
+        actuators.rudder_rad = 0.2;
+        actuators.shaft_rps.fill(holds.shaftFrom_rps);
+        const PlanarAcceleration a = set.acceleration(at(u), actuators, {});
+        const ShipMotion whole = rate(u, holds.shaftFrom_rps);
+        EXPECT_EQ(whole.surge_mps, a.surge_mps2) << u;
+        EXPECT_EQ(whole.sway_mps, a.sway_mps2) << u;
+        EXPECT_EQ(whole.yawRate_radps, a.yaw_radps2) << u;
+    }
+}
+
+TEST_P(HandingOver, IsSmoothInSpeedAndInShaftSpeed) {
+    const auto same = [](const ShipMotion& a, const ShipMotion& b, double where) {
+        EXPECT_NEAR(a.surge_mps, b.surge_mps, 2e-3) << where;
+        EXPECT_NEAR(a.sway_mps, b.sway_mps, 2e-3) << where;
+        EXPECT_NEAR(a.yawRate_radps, b.yawRate_radps, 1e-4) << where;
+    };
+    const double step = 0.002;
+    for (double u = -2.0; u < holds.nothingAbove_mps + 1.0; u += step)
+        same(rate(u, 1.0), rate(u + step, 1.0), u);
+    const double u = 0.5 * (holds.from_mps + holds.to_mps);
+    for (double n = -0.9; n < 1.0; n += step)
+        if (std::abs(n) > 2.0 * step) same(rate(u, n), rate(u, n + step), n);
+}
+INSTANTIATE_TEST_SUITE_P(Assets, HandingOver, ::testing::Values("mariner", "sr108", "tanker190k"));
+
+TEST(DepthParameter, IsThePublishedOneAndHeldInTheShallowest) {
+    const Vessel vessel = shipped("tanker190k");
+    const PolynomialRows rows(std::get<PolynomialModel>(vessel.models[0].parameters), vessel);
+    EXPECT_EQ(rows.depthParameter(kDeepWater_m), 0.0);
+    EXPECT_NEAR(rows.depthParameter(1.5 * 18.46), 2.0, 1e-12);
+    EXPECT_NEAR(rows.depthParameter(1.01 * 18.46), 5.0, 1e-9);
+    EXPECT_NEAR(rows.depthParameter(-3.0), 5.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace sagara::core

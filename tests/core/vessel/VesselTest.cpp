@@ -38,7 +38,8 @@ TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
         EXPECT_GT(p->source.size(), 10u);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel, ::testing::Values("patrol51", "esso-osaka"),
+INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel,
+                         ::testing::Values("patrol51", "esso-osaka", "mariner", "sr108", "tanker190k"),
                          [](const auto& row) {
                              return std::regex_replace(std::string(row.param), std::regex("-"), "_");
                          });
@@ -123,6 +124,20 @@ TEST(Vessel, ModelsOfTheSameNameAreRefused) {
               "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
     EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
               "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010");
+}
+
+TEST(Vessel, AModelHandsOverToOneThatIsThere) {
+    const std::string holds =
+        R"({ "holds": { "from_mps": 4, "to_mps": 9, "nothingBelow_mps": 3, "nothingAbove_mps": 11,
+        "shaftFrom_rps": 1, "elsewhere": "mmg" },)";
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"model\": {", "\"model\": " + holds)),
+              "v.json: models has model \"polynomial\" that hands over to \"mmg\", expected a model of this "
+              "vessel that holds at any speed");
+    const std::string crossed = replaced(holds, "\"to_mps\": 9", "\"to_mps\": 12");
+    EXPECT_NE(problemsOf(replaced(patrol(), "\"model\": {", "\"model\": " + crossed))
+                  .find("v.json: model.holds.from_mps is 4, expected nothingBelow_mps, from_mps, to_mps and "
+                        "nothingAbove_mps in rising order"),
+              std::string::npos);
 }
 
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {
