@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "SimTest.h"
 #include "Sqlite.h"
 
