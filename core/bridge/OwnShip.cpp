@@ -21,6 +21,7 @@ double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics
         before_mps = m.surge_mps;
         m = rk4Step(m, kStep_s,
                     [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+        m.sway_mps = m.yawRate_radps = 0.0;  // held on a straight course
     }
     return m.surge_mps / shaft_rps;
 }
@@ -48,11 +49,12 @@ TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics
 
 }  // namespace
 
-OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves)
+OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
+                 std::string_view model)
     : id(std::move(shipId)),
       name(std::move(shipName)),
       vessel(std::move(shipVessel)),
-      dynamics(vessel, waves),
+      dynamics(vessel, waves, model),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
       advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),
