@@ -7,9 +7,10 @@
 namespace sagara::core {
 namespace {
 
-std::variant<PolynomialShip, SandaruwanShip> makeModel(const Vessel& vessel) {
+std::variant<PolynomialShip, SandaruwanShip, MmgShip> makeModel(const Vessel& vessel) {
     if (const auto* polynomial = std::get_if<PolynomialModel>(&vessel.model))
         return PolynomialShip(*polynomial, vessel);
+    if (const auto* mmg = std::get_if<MmgModel>(&vessel.model)) return MmgShip(*mmg, vessel);
     return SandaruwanShip(std::get<SandaruwanModel>(vessel.model), vessel);
 }
 

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "core/motion/MmgShip.h"
 #include "core/motion/SandaruwanShip.h"
 #include "core/motion/WaveLoad.h"
 
@@ -36,7 +37,7 @@ public:
 private:
     static WaveLoad::Coefficients coefficients(const Vessel& vessel);
 
-    std::variant<PolynomialShip, SandaruwanShip> m_model;
+    std::variant<PolynomialShip, SandaruwanShip, MmgShip> m_model;
     bool m_modelHasRoll;
     double m_mass_kg;
     double m_swayMass_kg;

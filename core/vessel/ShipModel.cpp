@@ -143,13 +143,14 @@ bool parseFactors(const std::string& text, std::array<Factor, 4>& factors) {
 }
 
 ShipModel readShipModel(config::Reader& in) {
-    enum class Kind { Polynomial, Sandaruwan };
-    const auto kind =
-        in.choice<Kind>("kind", {{"polynomial", Kind::Polynomial}, {"sandaruwan2010", Kind::Sandaruwan}});
+    enum class Kind { Polynomial, Sandaruwan, Mmg };
+    const auto kind = in.choice<Kind>(
+        "kind", {{"polynomial", Kind::Polynomial}, {"sandaruwan2010", Kind::Sandaruwan}, {"mmg", Kind::Mmg}});
     const Provenance provenance = readProvenance(in);
     ShipModel model;
     if (kind == Kind::Polynomial) model = readPolynomial(in);
     if (kind == Kind::Sandaruwan) model = readSandaruwan(in);
+    if (kind == Kind::Mmg) model = readMmg(in);
     std::visit([&](auto& m) { m.provenance = provenance; }, model);
     in.rejectUnknownKeys();
     return model;

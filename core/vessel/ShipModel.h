@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/vessel/MmgModel.h"
 #include "core/vessel/Provenance.h"
 
 /// Parameters of the manoeuvring models a vessel document can carry. The physics is in core/motion.
@@ -81,7 +82,7 @@ struct SandaruwanModel {
     Provenance provenance;
 };
 
-using ShipModel = std::variant<PolynomialModel, SandaruwanModel>;
+using ShipModel = std::variant<PolynomialModel, SandaruwanModel, MmgModel>;
 ShipModel readShipModel(config::Reader& in);
 
 /// "phi |u| v", "r^2": factors separated by spaces; false when it is not that or has more than four.
