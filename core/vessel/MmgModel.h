@@ -67,7 +67,6 @@ struct MmgModel {
     MmgRange range;
     MmgWake wake;
     MmgRudder rudder;
-    Provenance provenance;
 };
 MmgModel readMmg(config::Reader& in);
 

@@ -19,7 +19,7 @@ Vessel shipped(const std::string& id) {
     if (!vessel) throw std::runtime_error(vessel.error().text());
     return *vessel;
 }
-MmgShip shipOf(const Vessel& vessel) { return {std::get<MmgModel>(vessel.model), vessel}; }
+MmgShip shipOf(const Vessel& vessel) { return {std::get<MmgModel>(vessel.models.front().parameters), vessel}; }
 
 TEST(MmgForces, AreThoseOfThePublishedModelAtFixedStates) {
     const Vessel full = shipped("kvlcc2"), l7 = shipped("kvlcc2-l7");
