@@ -29,7 +29,7 @@ Coefficients polynomial(const MmgHull& k, double v, double r, double phi) {
                  (k.Nphi + k.Nvvphi * v * v + k.Nvrphi * v * r + k.Nrrphi * r * r) * phi};
 }
 
-Load unified(const MmgModel& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow) {
+Load unified(const MmgParameters& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow) {
     const MmgHull& k = model.hull;
     const double L = hull.lengthBp_m, scale = 0.5 * hull.waterDensity_kgpm3 * L * hull.draught_m;
     const double u = m.surge_mps, v = m.sway_mps, rL = m.yawRate_radps * L;
@@ -59,7 +59,7 @@ MmgFlow mmgFlow(const MmgRange& range, double length_m, const ShipMotion& m) {
     return f;
 }
 
-Load mmgHullForce(const MmgModel& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow) {
+Load mmgHullForce(const MmgParameters& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow) {
     Load published;
     if (flow.published > 0.0) {
         const Coefficients c = polynomial(model.hull, flow.v, flow.r, m.roll_rad);

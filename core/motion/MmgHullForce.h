@@ -24,6 +24,6 @@ MmgFlow mmgFlow(const MmgRange& range, double length_m, const ShipMotion& m);
 /// Yoshimura, Nakao and Ishibashi (2009), "Unified mathematical model for ocean and harbour manoeuvring",
 /// MARSIM'09: linear terms with the surge velocity, cross-flow drag along the hull for the rest, any drift
 /// angle, astern and at rest. `holds` blends the two.
-Load mmgHullForce(const MmgModel& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow);
+Load mmgHullForce(const MmgParameters& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow);
 
 }  // namespace sagara::core

@@ -2,26 +2,25 @@
 
 #include <cmath>
 
-#include "core/motion/Propeller.h"
-
 namespace sagara::core {
 
-MmgPropeller mmgPropeller(const MmgModel& model, const Hull& hull, const PropulsionUnit& unit,
-                          double shaft_rps, const ShipMotion& m, const MmgFlow& flow) {
-    const double surge_mps = m.surge_mps - m.yawRate_radps * unit.position.y_m;
+MmgPropeller mmgPropeller(const MmgParameters& model, const Hull& hull, const Propeller& screw,
+                          const ScrewOrder& order, const ShipMotion& m, const MmgFlow& flow) {
+    const PropulsionUnit& unit = screw.unit();
+    const BodyPoint local_mps = velocityAt(m, unit.position);
+    const double along = std::cos(order.azimuth_rad), across = std::sin(order.azimuth_rad);
     MmgPropeller p;
-    if (surge_mps > 0.0) {
+    if (local_mps.x_m > 0.0) {
         const double drift_rad = flow.drift_rad - unit.position.x_m / hull.lengthBp_m * flow.r;
         const bool fromPort = unit.position.y_m < 0.0 ? drift_rad < 0.0 : drift_rad >= 0.0;
         const double C2 = fromPort ? model.wake.C2port : model.wake.C2starboard;
-        p.wake = 1.0 - (1.0 - unit.wakeFraction) *
+        p.wake = 1.0 - model.wake.inflow * (1.0 - unit.wakeFraction) *
                            (1.0 + (1.0 - std::exp(-model.wake.C1 * std::abs(drift_rad))) * (C2 - 1.0));
     }
-    p.inflow_mps = (1.0 - p.wake) * surge_mps;
-    p.thrust_N =
-        openWaterThrust_N(unit, shaft_rps, p.inflow_mps / (1.0 - unit.wakeFraction), hull.waterDensity_kgpm3);
-    p.load.surge_N = (1.0 - unit.thrustDeduction) * p.thrust_N;
-    p.load.yaw_Nm = -unit.position.y_m * p.load.surge_N;
+    p.inflow_mps = along * (1.0 - p.wake) * local_mps.x_m + across * local_mps.y_m;
+    p.thrust_N = screw.force(order.shaft_rps, order.pitch, p.inflow_mps, hull.waterDensity_kgpm3).thrust_N;
+    const double push_N = model.wake.push * (1.0 - unit.thrustDeduction) * p.thrust_N;
+    p.load = forceAt(unit.position, -0.5 * hull.draught_m, {along * push_N, across * push_N});
     return p;
 }
 

@@ -42,7 +42,7 @@ double normalCoefficient(double liftSlope, double stall_rad, double angle_rad) {
 
 }  // namespace
 
-MmgRudderForce mmgRudderForce(const MmgModel& model, const Hull& hull, const Steering& steering,
+MmgRudderForce mmgRudderForce(const MmgParameters& model, const Hull& hull, const Steering& steering,
                               BodyPoint position, double angle_rad, const PropulsionUnit& unit,
                               const MmgPropeller& screw, bool inRace, const ShipMotion& m,
                               const MmgFlow& flow) {
@@ -71,8 +71,10 @@ MmgRudderForce mmgRudderForce(const MmgModel& model, const Hull& hull, const Ste
     const double hullTakesPart = smoothStep(-0.5, 0.5, f.u_mps / std::sqrt(speed2));
     const double aH = hullTakesPart * k.aH, tR = hullTakesPart * k.tR;
     const double lift_N = f.normal_N * std::cos(angle_rad);
+    const double depth_m = hull.draught_m - 0.5 * k.height_m;  // the heel of the rudder is at the keel
     f.load.surge_N = -(1.0 - tR) * f.normal_N * std::sin(angle_rad);
     f.load.sway_N = -(1.0 + aH) * lift_N;
+    f.load.roll_Nm = -depth_m * f.load.sway_N;
     f.load.yaw_Nm = -(position.x_m + aH * k.xH * L) * lift_N - position.y_m * f.load.surge_N;
     return f;
 }

@@ -17,7 +17,7 @@ struct MmgRudderForce {
 /// reverse; flow from aft meets a rudder without hull before it, with 0.6 of the lift; past the stall angle
 /// of the steering group the normal force goes over to that of a flat plate (trend only).
 /// `screw`: the propeller before this rudder; `inRace` whether its race reaches it.
-MmgRudderForce mmgRudderForce(const MmgModel& model, const Hull& hull, const Steering& steering,
+MmgRudderForce mmgRudderForce(const MmgParameters& model, const Hull& hull, const Steering& steering,
                               BodyPoint position, double angle_rad, const PropulsionUnit& unit,
                               const MmgPropeller& screw, bool inRace, const ShipMotion& m,
                               const MmgFlow& flow);

@@ -17,6 +17,7 @@ struct PlanarAcceleration {
     double sway_mps2 = 0.0;
     double roll_radps2 = 0.0;
     double yaw_radps2 = 0.0;
+    double heel_Nm = 0.0;  ///< of the forces in the plane, where the model does not own roll
 };
 
 /// A published polynomial set at work: M nu' = F as in Perez and Blanke (2002), with an extension that lets

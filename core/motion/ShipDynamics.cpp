@@ -92,11 +92,10 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     rate.surge_mps = a.surge_mps2 + waves.surge_mps2;
     rate.sway_mps = a.sway_mps2 + waves.sway_mps2;
     rate.yawRate_radps = a.yaw_radps2 + waves.yaw_radps2;
-    rate.rollRate_radps =
-        m_modelHasRoll
-            ? a.roll_radps2
-            : (load.roll_Nm - m_c.rollStiffness * m.roll_rad - m_rollDamping_Nms * m.rollRate_radps) /
-                  m_rollInertia_kgm2;
+    rate.rollRate_radps = m_modelHasRoll ? a.roll_radps2
+                                         : (load.roll_Nm + a.heel_Nm - m_c.rollStiffness * m.roll_rad -
+                                            m_rollDamping_Nms * m.rollRate_radps) /
+                                               m_rollInertia_kgm2;
     rate.heaveRate_mps = (load.heave_N - m_c.heaveStiffness * m.down_m - m_c.heaveDamping * m.heaveRate_mps) /
                          (m_mass_kg + m_c.heaveAddedMass);
     rate.pitchRate_radps =

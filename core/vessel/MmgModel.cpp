@@ -7,7 +7,7 @@ namespace {
 
 constexpr config::Range kDerivative{-20.0, 20.0, ""};
 
-MmgInertia readInertia(const config::Node& node) {
+MmgInertia readInertia(const config::Node& node, Provenance& source) {
     config::Reader in(node);
     MmgInertia i;
     i.xG_m = in.number("xG_m", {-50.0, 50.0, "m"});
@@ -15,12 +15,12 @@ MmgInertia readInertia(const config::Node& node) {
     i.mx = in.number("mx", {0.0, 1.0, ""});
     i.my = in.number("my", {0.0, 3.0, ""});
     i.Jz = in.number("Jz", {0.0, 0.5, ""});
-    i.provenance = readProvenance(in);
+    source = readProvenance(in);
     in.rejectUnknownKeys();
     return i;
 }
 
-MmgHull readHullDerivatives(const config::Node& node) {
+MmgHull readHullDerivatives(const config::Node& node, Provenance& source) {
     config::Reader in(node);
     MmgHull h;
     h.R0 = in.number("R0", {0.001, 1.0, ""});
@@ -34,35 +34,35 @@ MmgHull readHullDerivatives(const config::Node& node) {
           {"Yrrphi", &h.Yrrphi},    {"Nphi", &h.Nphi}, {"Nvvphi", &h.Nvvphi}, {"Nvrphi", &h.Nvrphi},
           {"Nrrphi", &h.Nrrphi}})
         *value = in.numberOr(key, 0.0, kDerivative);
-    h.provenance = readProvenance(in);
+    source = readProvenance(in);
     in.rejectUnknownKeys();
     return h;
 }
 
-MmgRange readRange(const config::Node& node) {
+MmgRange readRange(const config::Node& node, Provenance& source) {
     config::Reader in(node);
     MmgRange r;
     r.drift_rad = kDegree_rad * in.number("drift_deg", {0.0, 60.0, "deg"});
     r.yawRate = in.number("yawRate", {0.0, 3.0, ""});
     r.crossFlowDrag = in.number("crossFlowDrag", {0.1, 3.0, ""});
     r.asternResistance = in.number("asternResistance", {0.5, 4.0, ""});
-    r.provenance = readProvenance(in);
+    source = readProvenance(in);
     in.rejectUnknownKeys();
     return r;
 }
 
-MmgWake readWake(const config::Node& node) {
+MmgWake readWake(const config::Node& node, Provenance& source) {
     config::Reader in(node);
     MmgWake w;
     w.C1 = in.number("C1", {0.0, 20.0, ""});
     w.C2port = in.number("C2port", {0.1, 3.0, ""});
     w.C2starboard = in.number("C2starboard", {0.1, 3.0, ""});
-    w.provenance = readProvenance(in);
+    source = readProvenance(in);
     in.rejectUnknownKeys();
     return w;
 }
 
-MmgRudder readRudder(const config::Node& node) {
+MmgRudder readRudder(const config::Node& node, Provenance& source) {
     config::Reader in(node);
     MmgRudder r;
     r.height_m = in.number("height_m", {0.05, 30.0, "m"});
@@ -75,7 +75,7 @@ MmgRudder readRudder(const config::Node& node) {
     r.gammaStarboard = in.number("gammaStarboard", {0.0, 1.5, ""});
     r.epsilon = in.number("epsilon", {0.3, 3.0, ""});
     r.kappa = in.number("kappa", {0.0, 1.5, ""});
-    r.provenance = readProvenance(in);
+    source = readProvenance(in);
     in.rejectUnknownKeys();
     return r;
 }
@@ -84,11 +84,12 @@ MmgRudder readRudder(const config::Node& node) {
 
 MmgModel readMmg(config::Reader& in) {
     MmgModel m;
-    m.inertia = readInertia(in.child("inertia"));
-    m.hull = readHullDerivatives(in.child("hull"));
-    m.range = readRange(in.child("range"));
-    m.wake = readWake(in.child("wake"));
-    m.rudder = readRudder(in.child("rudder"));
+    MmgParameters& p = m.parameters;
+    p.inertia = readInertia(in.child("inertia"), m.sources.inertia);
+    p.hull = readHullDerivatives(in.child("hull"), m.sources.hull);
+    p.range = readRange(in.child("range"), m.sources.range);
+    p.wake = readWake(in.child("wake"), m.sources.wake);
+    p.rudder = readRudder(in.child("rudder"), m.sources.rudder);
     return m;
 }
 

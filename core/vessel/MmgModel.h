@@ -13,7 +13,6 @@ struct MmgInertia {
     double xG_m = 0.0;           ///< centre of gravity forward of midship
     double yawGyradius_m = 1.0;  ///< about the centre of gravity
     double mx = 0.0, my = 0.0, Jz = 0.0;
-    Provenance provenance;
 };
 
 /// Hull derivatives; those with phi are the roll coupling of the 4-DOF method (Yasukawa, Sakuno and Yoshimura
@@ -25,7 +24,6 @@ struct MmgHull {
     double Nv = 0.0, Nr = 0.0, Nvvv = 0.0, Nvvr = 0.0, Nvrr = 0.0, Nrrr = 0.0;
     double Yphi = 0.0, Yvvphi = 0.0, Yvrphi = 0.0, Yrrphi = 0.0;
     double Nphi = 0.0, Nvvphi = 0.0, Nvrphi = 0.0, Nrrphi = 0.0;
-    Provenance provenance;
 };
 
 /// Where the derivatives hold, and the cross-flow drag that takes over at greater drift or swing.
@@ -34,7 +32,6 @@ struct MmgRange {
     double yawRate = 0.0;           ///< and to this r L / U
     double crossFlowDrag = 0.0;     ///< of the hull moved sideways
     double asternResistance = 1.0;  ///< over that ahead
-    Provenance provenance;
 };
 
 /// Change of the wake with the drift angle at the propeller:
@@ -43,7 +40,8 @@ struct MmgWake {
     double C1 = 0.0;
     double C2port = 1.0;       ///< flow from the port bow, beta_P positive; of a port screw: from outboard
     double C2starboard = 1.0;  ///< beta_P negative
-    Provenance provenance;
+    double inflow = 1.0;       ///< on 1 - w0, by the depth of the water: not in documents
+    double push = 1.0;         ///< on 1 - t, the same
 };
 
 /// Rudders: where they are and how large is in the vessel's steering group.
@@ -58,15 +56,23 @@ struct MmgRudder {
     double gammaStarboard = 1.0;
     double epsilon = 1.0;  ///< (1 - w) at the rudder over that at the propeller
     double kappa = 0.5;    ///< of the race's added velocity, what has built up at the rudder
-    Provenance provenance;
 };
 
-struct MmgModel {
+/// All numbers together; cheap to copy.
+struct MmgParameters {
     MmgInertia inertia;
     MmgHull hull;
     MmgRange range;
     MmgWake wake;
     MmgRudder rudder;
+};
+
+struct MmgModel {
+    MmgParameters parameters;
+    /// Where each group comes from and how well it is known.
+    struct Sources {
+        Provenance inertia, hull, range, wake, rudder;
+    } sources;
 };
 MmgModel readMmg(config::Reader& in);
 

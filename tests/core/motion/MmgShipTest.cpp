@@ -19,7 +19,9 @@ Vessel shipped(const std::string& id) {
     if (!vessel) throw std::runtime_error(vessel.error().text());
     return *vessel;
 }
-MmgShip shipOf(const Vessel& vessel) { return {std::get<MmgModel>(vessel.models.front().parameters), vessel}; }
+MmgShip shipOf(const Vessel& vessel) {
+    return {std::get<MmgModel>(vessel.models.front().parameters), vessel};
+}
 
 TEST(MmgForces, AreThoseOfThePublishedModelAtFixedStates) {
     const Vessel full = shipped("kvlcc2"), l7 = shipped("kvlcc2-l7");
@@ -32,8 +34,9 @@ TEST(MmgForces, AreThoseOfThePublishedModelAtFixedStates) {
         m.yawRate_radps = row["r"];
         const Actuators actuators{row["delta"] * kDegree_rad, {row["n"]}};
         const HullForces f = ship.hullForces(m, actuators);
-        const MmgPropeller screw = ship.propeller(0, m, actuators);
-        const MmgRudderForce rudder = ship.rudder(0, m, actuators);
+        const MmgShip::Parts parts = ship.parts(m, actuators);
+        const MmgPropeller& screw = parts.screws[0];
+        const MmgRudderForce& rudder = parts.rudders[0];
         const PlanarAcceleration a = ship.acceleration(m, actuators, {});
         const PropulsionUnit& unit = vessel.propulsion.units[0];
         const double scale_N = std::abs(row["XH"]), L = vessel.hull.lengthBp_m;
