@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/motion/Thruster.h"
 
 namespace sagara::core {
 namespace {
@@ -38,6 +39,8 @@ WaveLoad::Coefficients ShipDynamics::coefficients(const Vessel& vessel) {
 
 ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves)
     : m_model(makeModel(vessel)),
+      m_thrusters(vessel.thrusters),
+      m_hull(vessel.hull),
       m_modelHasRoll(std::holds_alternative<PolynomialShip>(m_model)),
       m_mass_kg(vessel.hull.mass_kg()),
       m_swayMass_kg(m_mass_kg +
@@ -58,7 +61,8 @@ HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuat
     };
     const HullForces f =
         std::visit([&](const auto& model) { return model.hullForces(m, actuators); }, m_model);
-    return {planar(f.hull), planar(f.rudder), planar(f.propeller)};
+    return {planar(f.hull), planar(f.rudder),
+            planar(f.propeller + thrusterLoad(m_thrusters, m, actuators, m_hull))};
 }
 
 Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
@@ -75,7 +79,7 @@ Load ShipDynamics::horizontalForce(const WaveEffect& waves) const {
 
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                                     const WaveEffect& waves, NorthEast current) const {
-    const Load load = external + waves.load;
+    const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a =
         std::visit([&](const auto& model) { return model.acceleration(m, actuators, load); }, m_model);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),

@@ -19,8 +19,9 @@ public:
     ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                           const WaveEffect& waves, NorthEast current) const;
 
-    /// Forces of the water on hull, rudders and propellers alone, in the horizontal plane (other members 0).
-    /// A model that has no force for something says what force would do the same.
+    /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
+    /// the horizontal plane (other members 0). A model that has no force for something says what force would
+    /// do the same.
     HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const;
     /// The force in the horizontal plane, of all causes together, that changes her velocities at this rate:
     /// mass and added mass times acceleration, less what comes of the turning of frame B.
@@ -37,6 +38,8 @@ private:
     static WaveLoad::Coefficients coefficients(const Vessel& vessel);
 
     std::variant<PolynomialShip, SandaruwanShip> m_model;
+    Thrusters m_thrusters;
+    Hull m_hull;
     bool m_modelHasRoll;
     double m_mass_kg;
     double m_swayMass_kg;
