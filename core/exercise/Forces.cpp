@@ -9,7 +9,7 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     const OwnShipState& s = state.ships[index];
     const TickEnvironment environment(world, state);
     const TickLoads loads(world, state, index, environment);
-    const HullForces own = ship.dynamics.hullForces(s.motion, actuatorsOf(ship, s));
+    const HullForces own = ship.dynamics.hullForces(s.motion, actuatorsOf(ship, s), loads.depth_m());
 
     ShipForces forces;
     const auto set = [&](ForceCause cause, const Load& l) {
@@ -20,7 +20,7 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     set(ForceCause::Rudder, own.rudder);
     set(ForceCause::Propeller, own.propeller);
     set(ForceCause::Wind, loads.wind());
-    set(ForceCause::Waves, ship.dynamics.horizontalForce(loads.waves()));
+    set(ForceCause::Waves, ship.dynamics.horizontalForce(loads.waves(), loads.depth_m()));
     set(ForceCause::Lines, loads.lines(s.motion));
     set(ForceCause::Anchors, loads.anchors(s.motion));
     set(ForceCause::Contact, loads.contact(s.motion));
