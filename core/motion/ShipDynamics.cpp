@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/motion/Thruster.h"
 
 namespace sagara::core {
 namespace {
@@ -40,6 +41,8 @@ WaveLoad::Coefficients ShipDynamics::coefficients(const Vessel& vessel) {
 
 ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::string_view model)
     : m_model(std::visit(MakeShip{vessel}, vessel.model(model).value()->parameters)),
+      m_thrusters(vessel.thrusters),
+      m_hull(vessel.hull),
       m_modelHasRoll(std::visit([](const auto& ship) { return ship.ownsRoll(); }, m_model)),
       m_mass_kg(vessel.hull.mass_kg()),
       m_swayMass_kg(m_mass_kg +
@@ -60,7 +63,8 @@ HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuat
     };
     const HullForces f =
         std::visit([&](const auto& ship) { return ship.hullForces(m, actuators, depth_m); }, m_model);
-    return {planar(f.hull), planar(f.rudder), planar(f.propeller)};
+    return {planar(f.hull), planar(f.rudder),
+            planar(f.propeller + thrusterLoad(m_thrusters, m, actuators, m_hull))};
 }
 
 Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const {
@@ -77,7 +81,7 @@ Load ShipDynamics::horizontalForce(const WaveEffect& waves, double depth_m) cons
 
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                                     const WaveEffect& waves, NorthEast current, double depth_m) const {
-    const Load load = external + waves.load;
+    const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a =
         std::visit([&](const auto& ship) { return ship.acceleration(m, actuators, load, depth_m); }, m_model);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
