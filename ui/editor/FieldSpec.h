@@ -51,7 +51,8 @@ enum class Source {
     Target,
     Event,
     Waypoint,
-    Picture
+    Picture,
+    Thruster
 };
 
 struct ListSpec;
