@@ -19,12 +19,13 @@ void addManoeuvre(Commands& commands) {
                                                                         {"spiral", Test::Spiral},
                                                                         {"stopping", Test::Stopping},
                                                                         {"pullout", Test::Pullout}}));
-    manoeuvre->add_option("--rudder-deg", o->rudder_deg, "positive to starboard (35)")
+    manoeuvre->add_option("--rudder-deg", o->rudder_deg, "positive to starboard (usual for the test)")
         ->check(between(-90.0, 90.0));
     manoeuvre->add_option("--heading-deg", o->heading_deg, "at which a zigzag switches (as the rudder)")
         ->check(between(0.1, 180.0));
     manoeuvre
-        ->add_option("--first", o->starboardFirst, "side a zigzag begins to: starboard or port (starboard)")
+        ->add_option("--first", o->starboardFirst,
+                     "side a zigzag begins to: starboard or port (that of the rudder)")
         ->transform(
             CLI::CheckedTransformer(std::map<std::string, bool>{{"starboard", true}, {"port", false}}));
     manoeuvre->add_option("--speed-mps", o->speed_mps, "before it (full ahead)")->check(between(0.05, 60.0));

@@ -1,10 +1,14 @@
 #include "app/tools/Manoeuvre.h"
 
+#include <cmath>
+
 #include "app/run/Console.h"
 #include "app/run/RunOptions.h"
 #include "app/tools/Table.h"
 #include "core/base/Units.h"
 #include "core/identify/CrashStop.h"
+#include "core/identify/Pullout.h"
+#include "core/identify/Spiral.h"
 #include "core/identify/TrialShip.h"
 #include "core/identify/TurningCircle.h"
 #include "core/identify/Zigzag.h"
@@ -12,33 +16,61 @@
 namespace sagara::tools {
 namespace {
 
+double usualRudder_deg(ManoeuvreOptions::Test test) {
+    using Test = ManoeuvreOptions::Test;
+    switch (test) {
+        case Test::Turning:
+            return 35.0;
+        case Test::Zigzag:
+            return 10.0;
+        case Test::Spiral:
+            return 25.0;
+        case Test::Pullout:
+            return 20.0;
+        case Test::Stopping:
+            break;
+    }
+    return 0.0;
+}
+
+core::Approach approachOf(core::TrialShip& ship, const ManoeuvreOptions& o) {
+    if (o.speed_mps && o.shaft_rps && *o.shaft_rps > 0.0) return {*o.speed_mps, *o.shaft_rps};
+    if (o.speed_mps) return ship.holding(*o.speed_mps);
+    return o.shaft_rps && *o.shaft_rps > 0.0 ? ship.steadyAt(*o.shaft_rps) : ship.fullAhead();
+}
+
 core::TrialOptions trialOptions(core::TrialShip& ship, const ManoeuvreOptions& o) {
     core::TrialOptions options;
-    options.approach = o.speed_mps ? ship.holding(*o.speed_mps) : ship.fullAhead();
-    if (o.shaft_rps) options.approach->shaft_rps = *o.shaft_rps;
+    options.approach = approachOf(ship, o);
     options.duration_s = o.duration_s;
     options.sample_s = o.dt_s;
-    if (o.dt_s) options.step_s = std::min(options.step_s, *o.dt_s);
+    // whole steps between rows
+    if (o.dt_s) options.step_s = *o.dt_s / std::ceil(*o.dt_s / options.step_s - 1e-9);
     return options;
 }
 
 core::Trial runTest(core::TrialShip& ship, const ManoeuvreOptions& o) {
     using Test = ManoeuvreOptions::Test;
     const core::TrialOptions options = trialOptions(ship, o);
-    const double rudder_rad = o.rudder_deg * core::kDegree_rad;
+    const double rudder_rad = o.rudder_deg.value_or(usualRudder_deg(o.test)) * core::kDegree_rad;
     switch (o.test) {
         case Test::Turning:
             return core::runTurningCircle(ship, {.rudder_rad = rudder_rad}, options);
         case Test::Zigzag:
             return core::runZigzag(
                 ship,
-                {.rudder_rad = rudder_rad,
+                {.rudder_rad = std::abs(rudder_rad),
                  .switch_rad = o.heading_deg ? *o.heading_deg * core::kDegree_rad : std::abs(rudder_rad),
-                 .starboardFirst = o.starboardFirst},
+                 .starboardFirst = o.starboardFirst.value_or(rudder_rad >= 0.0)},
                 options);
-        default:
-            return core::runCrashStop(ship, {}, options);
+        case Test::Spiral:
+            return core::runSpiral(ship, {.rudder_rad = rudder_rad}, options);
+        case Test::Pullout:
+            return core::runPullout(ship, {.rudder_rad = rudder_rad}, options);
+        case Test::Stopping:
+            break;
     }
+    return core::runCrashStop(ship, {.rudder_rad = rudder_rad}, options);
 }
 
 std::string measuresOf(const core::Trial& trial) {
@@ -54,6 +86,11 @@ int runManoeuvre(const run::Store& store, const ManoeuvreOptions& o) {
     if (!vessel) return run::tell(vessel.error()), run::kBadRequest;
     core::TrialShip ship(*vessel);
     const core::Trial trial = runTest(ship, o);
+    if (trial.end == core::TrialEnd::NotFinite)
+        return run::tell(vessel->id + ": " + trial.title + ": the model left the numbers"),
+               run::kMachineFailed;
+    if (trial.end == core::TrialEnd::TimedOut)
+        run::tell(vessel->id + ": " + trial.title + ": did not get there; what was reached is written");
     if (!o.measures) return writeResult(o.csv, core::trialCsv(trial));
     const int code = o.csv == "-" ? run::kDone : writeResult(o.csv, core::trialCsv(trial));
     run::print(measuresOf(trial));

@@ -13,14 +13,14 @@ struct ManoeuvreOptions {
     enum class Test { Turning, Zigzag, Spiral, Stopping, Pullout };
     VesselChoice ship;
     Test test = Test::Turning;
-    double rudder_deg = 35.0;           ///< positive to starboard
-    std::optional<double> heading_deg;  ///< at which a zigzag switches; none: as the rudder
-    bool starboardFirst = true;         ///< a zigzag with positive rudder
-    std::optional<double> speed_mps;    ///< none: full ahead by telegraph
-    std::optional<double> shaft_rps;    ///< none: what holds that speed
-    std::optional<double> duration_s;   ///< none: as long as the measures need
-    std::optional<double> dt_s;         ///< between rows, and the longest step of the integrator
-    bool measures = false;              ///< printed instead of the run
+    std::optional<double> rudder_deg;    ///< positive to starboard; none: usual for the test
+    std::optional<double> heading_deg;   ///< at which a zigzag switches; none: as the rudder
+    std::optional<bool> starboardFirst;  ///< a zigzag; none: by the sign of the rudder
+    std::optional<double> speed_mps;     ///< none: full ahead by telegraph
+    std::optional<double> shaft_rps;     ///< none: what holds that speed
+    std::optional<double> duration_s;    ///< none: as long as the measures need
+    std::optional<double> dt_s;          ///< between rows, and the longest step of the integrator
+    bool measures = false;               ///< printed instead of the run
     std::string csv = "-";
 };
 
