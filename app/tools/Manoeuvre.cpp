@@ -84,7 +84,7 @@ std::string measuresOf(const core::Trial& trial) {
 int runManoeuvre(const run::Store& store, const ManoeuvreOptions& o) {
     const auto vessel = openVessel(store, o.ship);
     if (!vessel) return run::tell(vessel.error()), run::kBadRequest;
-    core::TrialShip ship(*vessel);
+    core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m);
     const core::Trial trial = runTest(ship, o);
     if (trial.end == core::TrialEnd::NotFinite)
         return run::tell(vessel->id + ": " + trial.title + ": the model left the numbers"),

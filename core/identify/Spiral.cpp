@@ -11,6 +11,8 @@ namespace sagara::core {
 namespace {
 
 constexpr double kFine_deg = 1.0, kCoarse_deg = 5.0, kFineWithin_deg = 5.0;
+constexpr int kHalvings = 6;                                // of the step at which the turn changes its side
+constexpr double kLeastWidth_deg = 2.0 / (1 << kHalvings);  // what is narrower is the method's own
 
 /// From one side to the other in coarse steps, about amidships in fine ones.
 std::vector<double> anglesFrom(double first_deg) {
@@ -63,7 +65,6 @@ private:
     }
 
     double changeBetween(const TrialShip::State& before, double same_deg, double other_deg) {
-        constexpr int kHalvings = 6;
         const double side = before.motion.yawRate_radps;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle_deg = 0.5 * (same_deg + other_deg);
@@ -104,7 +105,8 @@ Trial runSpiral(TrialShip& ship, const Spiral& spiral, const TrialOptions& optio
     if (!sweep.goesOn()) return trial;
     trial.measures.push_back({"loop_from_deg", from_deg});
     trial.measures.push_back({"loop_to_deg", to_deg});
-    trial.measures.push_back({"spiral_width_deg", std::max(0.0, to_deg - from_deg)});
+    const double width_deg = to_deg - from_deg;
+    trial.measures.push_back({"spiral_width_deg", width_deg > kLeastWidth_deg ? width_deg : 0.0});
     trial.measures.push_back({"loop_height_dps", std::abs(*trial.measure("r_dps_at_0_deg_to_port") -
                                                           *trial.measure("r_dps_at_0_deg_to_starboard"))});
     return trial;

@@ -9,12 +9,12 @@
 
 namespace sagara::core {
 
-/// A vessel alone in calm deep water with her steering gear and engines, as an exercise moves her, without
+/// A vessel alone in calm water with her steering gear and engines, as an exercise moves her, without
 /// the exercise.
 class TrialShip {
 public:
     /// `model`: see ShipDynamics.
-    explicit TrialShip(const Vessel& vessel, std::string_view model = {});
+    explicit TrialShip(const Vessel& vessel, std::string_view model = {}, double depth_m = kDeepWater_m);
 
     /// Straight ahead at this speed from the origin, time zero.
     void begin(const Approach& approach);
@@ -37,6 +37,8 @@ public:
     void restore(const State& state) { m_state = state; }
 
     const Vessel& vessel() const { return m_vessel; }
+    const ShipDynamics& dynamics() const { return m_dynamics; }
+    double depth_m() const { return m_depth_m; }
     const ShipMotion& motion() const { return m_state.motion; }
     double speed_mps() const;
     bool finite() const;
@@ -55,6 +57,7 @@ private:
     Vessel m_vessel;
     WaveTable m_calm{1, 1e6};
     ShipDynamics m_dynamics;
+    double m_depth_m;
     State m_state;
 };
 
