@@ -43,5 +43,7 @@ void addValidateDocument(Commands& commands);
 void addList(Commands& commands);
 void addBackup(Commands& commands);
 void addManoeuvre(Commands& commands);
+void addDecay(Commands& commands);
+void addForces(Commands& commands);
 
 }  // namespace sagara::sim

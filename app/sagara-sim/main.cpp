@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
              addList,
              addBackup,
              addManoeuvre,
+             addDecay,
+             addForces,
          }) {
         add(commands);
     }

@@ -4,7 +4,7 @@
 
 #include "app/run/Console.h"
 #include "app/run/RunOptions.h"
-#include "app/tools/Table.h"
+#include "app/tools/TrialResult.h"
 #include "core/base/Units.h"
 #include "core/identify/CrashStop.h"
 #include "core/identify/Pullout.h"
@@ -43,9 +43,7 @@ core::TrialOptions trialOptions(core::TrialShip& ship, const ManoeuvreOptions& o
     core::TrialOptions options;
     options.approach = approachOf(ship, o);
     options.duration_s = o.duration_s;
-    options.sample_s = o.dt_s;
-    // whole steps between rows
-    if (o.dt_s) options.step_s = *o.dt_s / std::ceil(*o.dt_s / options.step_s - 1e-9);
+    takeRows(options, o.dt_s);
     return options;
 }
 
@@ -73,12 +71,6 @@ core::Trial runTest(core::TrialShip& ship, const ManoeuvreOptions& o) {
     return core::runCrashStop(ship, {.rudder_rad = rudder_rad}, options);
 }
 
-std::string measuresOf(const core::Trial& trial) {
-    Table table({"name", "value"});
-    for (const core::TrialMeasure& m : trial.measures) table.add(m.name, m.value);
-    return table.text();
-}
-
 }  // namespace
 
 int runManoeuvre(const run::Store& store, const ManoeuvreOptions& o) {
@@ -86,15 +78,7 @@ int runManoeuvre(const run::Store& store, const ManoeuvreOptions& o) {
     if (!vessel) return run::tell(vessel.error()), run::kBadRequest;
     core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m);
     const core::Trial trial = runTest(ship, o);
-    if (trial.end == core::TrialEnd::NotFinite)
-        return run::tell(vessel->id + ": " + trial.title + ": the model left the numbers"),
-               run::kMachineFailed;
-    if (trial.end == core::TrialEnd::TimedOut)
-        run::tell(vessel->id + ": " + trial.title + ": did not get there; what was reached is written");
-    if (!o.measures) return writeResult(o.csv, core::trialCsv(trial));
-    const int code = o.csv == "-" ? run::kDone : writeResult(o.csv, core::trialCsv(trial));
-    run::print(measuresOf(trial));
-    return code;
+    return writeTrial(*vessel, trial, core::trialCsv(trial), o.measures, o.csv);
 }
 
 }  // namespace sagara::tools

@@ -57,7 +57,9 @@ TrialSample TrialShip::sample() const {
             m.yawRate_radps,
             m.roll_rad,
             m_state.gear.angle_rad,
-            shafts_rps / static_cast<double>(std::max<std::size_t>(1, count))};
+            shafts_rps / static_cast<double>(std::max<std::size_t>(1, count)),
+            m.down_m,
+            m.pitch_rad};
 }
 
 Approach TrialShip::steadyAt(double shaft_rps) {
@@ -72,6 +74,7 @@ Approach TrialShip::steadyAt(double shaft_rps) {
 }
 
 Approach TrialShip::holding(double speed_mps) {
+    if (speed_mps == 0.0) return {};
     ShipMotion straight;
     straight.surge_mps = speed_mps;
     const auto surplus = [&](double shaft_rps) {

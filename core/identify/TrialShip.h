@@ -18,6 +18,7 @@ public:
 
     /// Straight ahead at this speed from the origin, time zero.
     void begin(const Approach& approach);
+    void displace(const ShipMotion& by) { m_state.motion = m_state.motion + by; }
     void orderRudder(double angle_rad) { m_state.gear.order_rad = angle_rad; }
     void orderShafts(double speed_rps);
     void step(double step_s);
