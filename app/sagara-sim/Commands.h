@@ -45,5 +45,7 @@ void addBackup(Commands& commands);
 void addManoeuvre(Commands& commands);
 void addDecay(Commands& commands);
 void addForces(Commands& commands);
+void addPilotCard(Commands& commands);
+void addValidate(Commands& commands);
 
 }  // namespace sagara::sim

@@ -47,7 +47,10 @@ core::TrialOptions trialOptions(core::TrialShip& ship, const ManoeuvreOptions& o
     return options;
 }
 
-core::Trial runTest(core::TrialShip& ship, const ManoeuvreOptions& o) {
+}  // namespace
+
+core::Trial tryManoeuvre(const core::Vessel& vessel, const ManoeuvreOptions& o) {
+    core::TrialShip ship(vessel, o.ship.model, o.ship.depth_m);
     using Test = ManoeuvreOptions::Test;
     const core::TrialOptions options = trialOptions(ship, o);
     const double rudder_rad = o.rudder_deg.value_or(usualRudder_deg(o.test)) * core::kDegree_rad;
@@ -71,13 +74,10 @@ core::Trial runTest(core::TrialShip& ship, const ManoeuvreOptions& o) {
     return core::runCrashStop(ship, {.rudder_rad = rudder_rad}, options);
 }
 
-}  // namespace
-
 int runManoeuvre(const run::Store& store, const ManoeuvreOptions& o) {
     const auto vessel = openVessel(store, o.ship);
     if (!vessel) return run::tell(vessel.error()), run::kBadRequest;
-    core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m);
-    const core::Trial trial = runTest(ship, o);
+    const core::Trial trial = tryManoeuvre(*vessel, o);
     return writeTrial(*vessel, trial, core::trialCsv(trial), o.measures, o.csv);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/run/Store.h"
 #include "app/tools/VesselChoice.h"
+#include "core/identify/Trial.h"
 
 namespace sagara::tools {
 
@@ -23,6 +24,9 @@ struct ManoeuvreOptions {
     bool measures = false;               ///< printed instead of the run
     std::string csv = "-";
 };
+
+/// The manoeuvre of a vessel that has the model asked for (see openVessel).
+core::Trial tryManoeuvre(const core::Vessel& vessel, const ManoeuvreOptions& options);
 
 /// Runs a standard manoeuvre in calm water and writes its time series or its measures. Returns the exit code.
 int runManoeuvre(const run::Store& store, const ManoeuvreOptions& options);
