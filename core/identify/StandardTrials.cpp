@@ -10,9 +10,10 @@ bool StandardTrials::cancelled() const {
     return false;
 }
 
-StandardTrials runStandardTrials(const Vessel& vessel, const TrialsWatch& watch) {
+StandardTrials runStandardTrials(const Vessel& vessel, const TrialsWatch& watch, std::string_view model,
+                                 double depth_m) {
     constexpr double kRuns = 5.0;
-    TrialShip ship(vessel);
+    TrialShip ship(vessel, model, depth_m);
     StandardTrials trials;
     TrialOptions options;
     options.approach = ship.fullAhead();
@@ -39,8 +40,8 @@ StandardTrials runStandardTrials(const Vessel& vessel, const TrialsWatch& watch)
     return trials;
 }
 
-std::array<double, kTelegraphSteps> telegraphSpeeds_mps(const Vessel& vessel) {
-    TrialShip ship(vessel);
+std::array<double, kTelegraphSteps> telegraphSpeeds_mps(const Vessel& vessel, std::string_view model) {
+    TrialShip ship(vessel, model);
     std::array<double, kTelegraphSteps> speeds{};
     for (std::size_t i = 0; i < kTelegraphSteps; ++i) {
         const double shaft_rps = vessel.propulsion.telegraph_rps[i];

@@ -4,10 +4,11 @@
 #include "core/identify/ImoStandards.h"
 #include "core/identify/TurningCircle.h"
 #include "core/identify/Zigzag.h"
+#include "core/motion/ShipMotion.h"
 
 namespace sagara::core {
 
-/// The runs that the IMO standards ask for, all from full ahead in deep calm water.
+/// The runs that the IMO standards ask for, all from full ahead in calm water.
 struct StandardTrials {
     Trial turnStarboard;
     Trial turnPort;
@@ -20,9 +21,10 @@ struct StandardTrials {
 };
 /// `watch` is told the share of all and the title of the run that is on; false cancels.
 using TrialsWatch = std::function<bool(double share, const std::string& run)>;
-StandardTrials runStandardTrials(const Vessel& vessel, const TrialsWatch& watch = {});
+StandardTrials runStandardTrials(const Vessel& vessel, const TrialsWatch& watch = {},
+                                 std::string_view model = {}, double depth_m = kDeepWater_m);
 
-/// Steady speeds ahead and astern by telegraph step; 0 at Stop.
-std::array<double, kTelegraphSteps> telegraphSpeeds_mps(const Vessel& vessel);
+/// Steady speeds ahead and astern by telegraph step in deep water; 0 at Stop.
+std::array<double, kTelegraphSteps> telegraphSpeeds_mps(const Vessel& vessel, std::string_view model = {});
 
 }  // namespace sagara::core

@@ -1,18 +1,7 @@
 #include "ui/report/PilotCard.h"
 
-#include <QBuffer>
-#include <QFile>
-#include <QGuiApplication>
-#include <QPageLayout>
-#include <QPageSize>
-#include <QPainter>
-#include <QPdfWriter>
-#include <QSaveFile>
-#include <cassert>
-#include <stdexcept>
-
 #include "ui/report/Blocks.h"
-#include "ui/report/PageFrame.h"
+#include "ui/report/PdfDocument.h"
 #include "ui/report/Style.h"
 #include "ui/report/Table.h"
 #include "ui/report/TurningDrawing.h"
@@ -20,7 +9,6 @@
 namespace sagara::report {
 namespace {
 
-constexpr int kDotsPerMillimetre = 100;
 constexpr double kApart_mm = 6.0;
 constexpr double kHalf_mm = 0.5 * page::kTextWidth_mm - 3.0;
 constexpr double kRightFrom_mm = 0.5 * page::kTextWidth_mm + 3.0;
@@ -62,9 +50,10 @@ std::vector<Sheet> cardSheets(const PilotCardData& card) {
                             {9.0, colour::kQuiet}, page::kTextWidth_mm, 1.0));
     all.push_back(sideBySide(std::move(left), std::move(right), kRightFrom_mm));
     all.back().before_mm = kApart_mm;
-    all.push_back(sideBySide(telegraphTable(card),
-                             facts(tr("Turning, full ahead, rudder hard over"), card.turning, 50.0),
-                             kRightFrom_mm));
+    all.push_back(
+        sideBySide(telegraphTable(card),
+                   facts(tr("Turning, full ahead, rudder hard over"), card.conditions.front().turning, 50.0),
+                   kRightFrom_mm));
     all.back().before_mm = kApart_mm;
     Table table({{tr("Standard of MSC.137(76)"), 88.0},
                  {tr("Ship"), 26.0, Qt::AlignRight},
@@ -83,87 +72,69 @@ std::vector<Sheet> cardSheets(const PilotCardData& card) {
     return flow(tr("Pilot card"), std::move(all), page::kContent);
 }
 
-std::vector<Sheet> posterSheets(const PilotCardData& card) {
+/// Turning circles and stopping in one condition: a page of the poster.
+std::vector<Block> conditionBlocks(const PilotCardData& card, const PilotCardData::Condition& condition) {
     std::vector<Block> all;
     all.push_back(paragraph(fromStd(card.ship), {15.0, colour::kInk, true}, page::kTextWidth_mm, 0.0, 2));
-    all.push_back(
-        paragraph(tr("Turning circles from %1 kn, rudder hard over, deep calm water. Dots: full minutes.")
-                      .arg(shown(card.approach_kn, 1)),
-                  {9.0, colour::kQuiet}, page::kTextWidth_mm, 1.0));
+    all.push_back(paragraph(
+        tr("%1 · turning circles from %2 kn, rudder hard over, calm water. Dots: full minutes. %3")
+            .arg(fromStd(condition.title), shown(condition.approach_kn, 1), fromStd(condition.note)),
+        {9.0, colour::kQuiet}, page::kTextWidth_mm, 1.0));
     Block drawing;
     drawing.height_mm = 120.0;
     drawing.before_mm = 3.0;
-    drawing.draw = [&card](QPainter& painter, const QRectF& area) {
-        drawTurningCircles(painter, area, card);
+    drawing.draw = [&condition, length_m = card.length_m](QPainter& painter, const QRectF& area) {
+        drawTurningCircles(painter, area, condition, length_m);
     };
     all.push_back(std::move(drawing));
-    Table table({{tr("Full astern from"), 60.0},
-                 {tr("Speed, kn"), 30.0, Qt::AlignRight},
-                 {tr("Time, min:s"), 36.0, Qt::AlignRight},
-                 {tr("Head reach, m"), 44.0, Qt::AlignRight}});
-    for (const auto& stop : card.stops) {
+    Table table({{tr("Full astern from"), 34.0},
+                 {tr("Speed, kn"), 14.0, Qt::AlignRight},
+                 {tr("min:s"), 14.0, Qt::AlignRight},
+                 {tr("Reach, m"), kHalf_mm - 62.0, Qt::AlignRight}});
+    for (const auto& stop : condition.stops) {
         const int seconds = static_cast<int>(stop.time_s + 0.5);
         table.addRow({{fromStd(stop.from)},
                       {shown(stop.speed_kn, 1)},
                       {QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'))},
                       {shown(stop.reach_m, 0)}});
     }
-    all.push_back(sectionTitle(tr("Stopping")));
-    add(all, table.takeBlocks());
-    Table sources({{tr("Group"), 26.0}, {tr("Quality"), 22.0}, {tr("Source"), page::kTextWidth_mm - 48.0}});
-    for (const auto& source : card.sources)
-        sources.addRow({{fromStd(source.group)}, {fromStd(source.quality)}, {fromStd(source.source)}});
-    all.push_back(sectionTitle(tr("Where the numbers come from")));
-    add(all, sources.takeBlocks());
-    return flow(tr("Wheelhouse poster"), std::move(all), page::kContent);
+    std::vector<Block> stopping{sectionTitle(tr("Stopping, head reach"))};
+    add(stopping, table.takeBlocks());
+    all.push_back(
+        sideBySide(std::move(stopping), facts(tr("Turning"), condition.turning, 50.0), kRightFrom_mm));
+    return all;
 }
 
-void drawCardFooter(QPainter& painter, const PilotCardData& card, std::size_t number, std::size_t count) {
-    const TextStyle style{7.5, colour::kQuiet};
-    const double line_mm = page::kBottom_mm + 3.0;
-    painter.setPen(linePen(colour::kRule, 0.15));
-    painter.drawLine(QPointF(page::kLeft_mm, line_mm), QPointF(page::kRight_mm, line_mm));
-    drawText(painter, {page::kLeft_mm, line_mm + 3.6}, Qt::AlignLeft,
-             elided(fromStd(card.ship), style, page::kTextWidth_mm - 50.0), style);
-    drawText(painter, {page::kLeft_mm, line_mm + 7.2}, Qt::AlignLeft,
-             tr("after IMO resolution A.601(15); measured on the simulator's model"), style);
-    drawText(painter, {page::kRight_mm, line_mm + 3.6}, Qt::AlignRight,
-             tr("page %1 of %2").arg(number).arg(count), style);
-}
-
-QByteArray pdfOf(const PilotCardData& card) {
-    std::vector<Sheet> sheets = cardSheets(card);
-    for (Sheet& sheet : posterSheets(card)) sheets.push_back(std::move(sheet));
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter pdf(&buffer);
-    pdf.setResolution(static_cast<int>(25.4 * kDotsPerMillimetre));
-    pdf.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF()));
-    pdf.setTitle(fromStd(card.ship) + QStringLiteral(" · ") + tr("Pilot card"));
-    pdf.setCreator(QStringLiteral("Sagara"));
-    QPainter painter(&pdf);
-    painter.scale(kDotsPerMillimetre, kDotsPerMillimetre);
-    for (std::size_t i = 0; i < sheets.size(); ++i) {
-        if (i > 0) pdf.newPage();
-        drawHeader(painter, sheets[i].title);
-        sheets[i].draw(painter);
-        drawCardFooter(painter, card, i + 1, sheets.size());
+std::vector<Sheet> posterSheets(const PilotCardData& card) {
+    std::vector<Sheet> sheets;
+    for (const auto& condition : card.conditions) {
+        std::vector<Block> all = conditionBlocks(card, condition);
+        if (&condition == &card.conditions.back()) {
+            Table sources(
+                {{tr("Group"), 26.0}, {tr("Quality"), 22.0}, {tr("Source"), page::kTextWidth_mm - 48.0}});
+            for (const auto& source : card.sources)
+                sources.addRow(
+                    {{fromStd(source.group)}, {fromStd(source.quality)}, {fromStd(source.source)}});
+            all.push_back(sectionTitle(tr("Where the numbers come from")));
+            add(all, sources.takeBlocks());
+        }
+        for (Sheet& sheet : flow(tr("Wheelhouse poster"), std::move(all), page::kContent))
+            sheets.push_back(std::move(sheet));
     }
-    painter.end();
-    return buffer.data();
+    return sheets;
 }
 
 }  // namespace
 
 void writePilotCard(const PilotCardData& card, const std::string& path) {
-    assert(qGuiApp);  // fonts need it
-    const QByteArray content = pdfOf(card);
-    QSaveFile file(QFile::decodeName(QByteArray::fromStdString(path)));
-    file.setDirectWriteFallback(true);
-    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.commit()) {
-        throw std::runtime_error("cannot write the pilot card to " + path + ": " +
-                                 file.errorString().toStdString());
-    }
+    std::vector<Sheet> sheets = cardSheets(card);
+    for (Sheet& sheet : posterSheets(card)) sheets.push_back(std::move(sheet));
+    const auto footer = [&](QPainter& painter, std::size_t number, std::size_t count) {
+        drawPlainFooter(painter, fromStd(card.ship),
+                        tr("after IMO resolution A.601(15); measured on the simulator's model"), number,
+                        count);
+    };
+    writePdf(sheets, fromStd(card.ship) + QStringLiteral(" · ") + tr("Pilot card"), footer, path);
 }
 
 }  // namespace sagara::report

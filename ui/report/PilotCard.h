@@ -24,6 +24,17 @@ struct PilotCardData {
         double time_s = 0.0;
         double reach_m = 0.0;
     };
+    /// How she turns and stops in one loading and one depth of water.
+    struct Condition {
+        std::string title;  ///< "Loaded, deep water"
+        std::string note;   ///< what to know of it; empty: nothing
+        double approach_kn = 0.0;
+        std::vector<Row> turning;        ///< measures of the turning circles
+        std::vector<Stop> stops;         ///< full astern from the steps ahead
+        std::vector<QPointF> starboard;  ///< track of the turn: x transfer, y advance, m
+        std::vector<QPointF> port;
+        std::vector<QPointF> starboardTimes;  ///< places on the track each full minute
+    };
     struct Check {
         std::string criterion;
         std::string value;
@@ -43,14 +54,9 @@ struct PilotCardData {
     std::vector<Row> steering;
     std::vector<Row> propulsion;
     std::vector<Step> telegraph;
-    std::vector<Row> turning;        ///< measures of the turning circles
-    std::vector<Check> checks;       ///< against MSC.137(76)
-    std::vector<Stop> stops;         ///< full astern from the steps ahead
-    std::vector<QPointF> starboard;  ///< track of the turn: x transfer, y advance, m
-    std::vector<QPointF> port;
-    std::vector<QPointF> starboardTimes;  ///< places on the track each full minute
+    std::vector<Check> checks;          ///< against MSC.137(76)
+    std::vector<Condition> conditions;  ///< a poster page each; the first is that of the card
     double length_m = 0.0;
-    double approach_kn = 0.0;
     std::vector<Source> sources;
 };
 

@@ -33,15 +33,15 @@ void drawTrack(QPainter& painter, const Poster& poster, const std::vector<QPoint
 
 }  // namespace
 
-void drawTurningCircles(QPainter& painter, const QRectF& area, const PilotCardData& card) {
-    if (card.starboard.empty() || card.length_m <= 0.0) {
+void drawTurningCircles(QPainter& painter, const QRectF& area, const PilotCardData::Condition& turns,
+                        double L) {
+    if (turns.starboard.empty() || L <= 0.0) {
         drawText(painter, area.center(), Qt::AlignCenter, tr("The turning circles were not reached."),
                  kTickStyle);
         return;
     }
-    const double L = card.length_m;
     double left = -kDiameterLimit_L * L, right = -left, top = kAdvanceLimit_L * L, bottom = -0.6 * L;
-    for (const auto* track : {&card.starboard, &card.port}) {
+    for (const auto* track : {&turns.starboard, &turns.port}) {
         for (const QPointF p : *track) {
             left = std::min(left, p.x());
             right = std::max(right, p.x());
@@ -73,11 +73,11 @@ void drawTurningCircles(QPainter& painter, const QRectF& area, const PilotCardDa
     for (const double side : {-1.0, 1.0})
         painter.drawLine(poster.at({side * kDiameterLimit_L * L, bottom}),
                          poster.at({side * kDiameterLimit_L * L, top}));
-    drawTrack(painter, poster, card.starboard, colour::kRoute, false);
-    drawTrack(painter, poster, card.port, colour::kHostile, true);
+    drawTrack(painter, poster, turns.starboard, colour::kRoute, false);
+    drawTrack(painter, poster, turns.port, colour::kHostile, true);
     painter.setBrush(colour::kRoute);
     painter.setPen(Qt::NoPen);
-    for (const QPointF p : card.starboardTimes) painter.drawEllipse(poster.at(p), 0.7, 0.7);
+    for (const QPointF p : turns.starboardTimes) painter.drawEllipse(poster.at(p), 0.7, 0.7);
     const double half = 0.5 * L, beam = 0.085 * L;
     QPolygonF ship;
     for (const QPointF p : {QPointF(0, half), QPointF(beam, 0.6 * half), QPointF(beam, -half),

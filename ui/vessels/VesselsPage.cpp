@@ -23,12 +23,12 @@
 
 #include "core/base/Config.h"
 #include "core/base/Units.h"
+#include "ui/pilotcard/PilotCardOf.h"
 #include "ui/theme/Theme.h"
 #include "ui/theme/ThemeColours.h"
 #include "ui/vessels/DocumentTree.h"
 #include "ui/vessels/ModelDialog.h"
 #include "ui/vessels/NewVesselDialog.h"
-#include "ui/vessels/PilotCardOf.h"
 #include "ui/vessels/SectionsView.h"
 #include "ui/vessels/TrialsPanel.h"
 #include "ui/vessels/VesselEditor.h"

@@ -1,4 +1,4 @@
-#include "ui/vessels/PilotCardOf.h"
+#include "ui/pilotcard/PilotCardOf.h"
 
 #include <QString>
 #include <cmath>
@@ -48,7 +48,7 @@ void fillParticulars(PilotCardData& card, const core::Vessel& v) {
     if (card.anchors.empty()) card.anchors.push_back({"Anchors", "none"});
 }
 
-void fillMachinery(PilotCardData& card, const core::Vessel& v) {
+void fillMachinery(PilotCardData& card, const core::Vessel& v, std::string_view model) {
     const core::Steering& s = v.steering;
     const double sweep_deg =
         s.limit_rad / core::kDegree_rad + std::min(30.0, s.limit_rad / core::kDegree_rad);
@@ -64,7 +64,7 @@ void fillMachinery(PilotCardData& card, const core::Vessel& v) {
                        {"Stand between ahead and astern", shown(unit.reversingTime_s, 0, "s")},
                        {"Fastest change", shown(unit.shaftRate_rpsps / core::kRpm_rps, 1, "rpm/s")},
                        {"Astern thrust", shown(100.0 * unit.asternThrustRatio, 0, "% of ahead")}};
-    const auto speeds = core::telegraphSpeeds_mps(v);
+    const auto speeds = core::telegraphSpeeds_mps(v, model);
     for (std::size_t i = core::kTelegraphSteps; i-- > 0;) {
         const auto step = static_cast<core::TelegraphStep>(i);
         card.telegraph.push_back({wordsOf(core::telegraphStepName(step)),
@@ -73,8 +73,8 @@ void fillMachinery(PilotCardData& card, const core::Vessel& v) {
     }
 }
 
-void fillTurning(PilotCardData& card, const core::StandardTrials& trials) {
-    const double L = card.length_m;
+void fillTurning(PilotCardData::Condition& card, const core::StandardTrials& trials) {
+    const double L = trials.turnStarboard.length_m;
     for (const auto& [side, trial] :
          {std::pair<std::string, const core::Trial*>{"starboard", &trials.turnStarboard},
           {"port", &trials.turnPort}}) {
@@ -104,8 +104,8 @@ void fillTurning(PilotCardData& card, const core::StandardTrials& trials) {
     }
 }
 
-void fillStops(PilotCardData& card, const core::Vessel& v) {
-    core::TrialShip ship(v);
+void fillStops(PilotCardData::Condition& card, const core::Vessel& v, const TriedIn& in) {
+    core::TrialShip ship(v, in.model, in.depth_m);
     for (const auto step : {core::TelegraphStep::FullAhead, core::TelegraphStep::HalfAhead,
                             core::TelegraphStep::SlowAhead, core::TelegraphStep::DeadSlowAhead}) {
         core::TrialOptions options;
@@ -120,18 +120,26 @@ void fillStops(PilotCardData& card, const core::Vessel& v) {
 
 }  // namespace
 
-PilotCardData pilotCardOf(const core::Vessel& v, const core::StandardTrials& trials,
-                          const std::string& date) {
+PilotCardData::Condition conditionOf(const core::Vessel& v, const core::StandardTrials& trials,
+                                     const TriedIn& in) {
+    PilotCardData::Condition condition;
+    condition.title = in.title;
+    condition.approach_kn = trials.turnStarboard.approach_mps / core::kKnot_mps;
+    fillTurning(condition, trials);
+    fillStops(condition, v, in);
+    return condition;
+}
+
+PilotCardData pilotCardOf(const core::Vessel& v, const core::StandardTrials& trials, const std::string& date,
+                          const TriedIn& in) {
     PilotCardData card;
     card.ship = v.name;
     card.type = v.type;
     card.date = date;
     card.length_m = v.hull.lengthBp_m;
-    card.approach_kn = trials.turnStarboard.approach_mps / core::kKnot_mps;
     fillParticulars(card, v);
-    fillMachinery(card, v);
-    fillTurning(card, trials);
-    fillStops(card, v);
+    fillMachinery(card, v, in.model);
+    card.conditions.push_back(conditionOf(v, trials, in));
     for (const core::ImoCheck& check : core::imoChecks(trials)) {
         const char* unit = check.unit == "L" ? "L" : "deg";
         card.checks.push_back({check.criterion, check.value ? shown(*check.value, 1, unit) : "not reached",
@@ -141,7 +149,7 @@ PilotCardData pilotCardOf(const core::Vessel& v, const core::StandardTrials& tri
         card.sources.push_back({group, core::qualityName(p.quality), p.source});
     };
     source("Hull", v.hull.provenance);
-    source("Ship model", v.models[0].provenance);
+    source("Ship model", v.model(in.model).value()->provenance);
     source("Propulsion", v.propulsion.provenance);
     source("Steering", v.steering.provenance);
     source("Anchors", v.groundTackle.provenance);

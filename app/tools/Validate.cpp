@@ -1,0 +1,79 @@
+#include "app/tools/Validate.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "app/files/AssetSource.h"
+#include "app/run/Console.h"
+#include "app/run/RunOptions.h"
+#include "app/tools/Validation.h"
+#include "core/exercise/BuildId.h"
+#include "ui/report/ValidationReport.h"
+
+namespace sagara::tools {
+namespace {
+
+std::string shown(double value) { return fmt::format("{:.4g}", value); }
+std::string shown(double value, bool share) {
+    return share ? fmt::format("{:.3g} %", 100.0 * value) : shown(value);
+}
+
+std::string csvRow(const ValidationResult& r, const ValidationRow& row) {
+    return fmt::format("{},{},{},{:.6g},{:.6g},{:.4g},{:.4g},{}\n", r.id, r.evidence,
+                       row.quantity.find(',') == std::string::npos ? row.quantity : '"' + row.quantity + '"',
+                       row.measured, row.reference, row.error(), row.tolerance, row.ok() ? "ok" : "short");
+}
+
+void addTo(report::ValidationData& data, const ValidationResult& r) {
+    for (const ValidationRow& row : r.outcome.rows) {
+        data.rows.push_back({r.title, r.evidence, row.quantity, shown(row.measured), shown(row.reference),
+                             shown(row.error(), row.share), shown(row.tolerance, row.share), row.ok()});
+    }
+    if (!r.outcome.trouble.empty())
+        data.rows.push_back({r.title, r.evidence, r.outcome.trouble, "", "", "", "", false});
+    for (const report::XyPlot& plot : r.outcome.plots) data.plots.push_back(plot);
+    data.sources.push_back({r.title, r.source});
+}
+
+int writeReport(const report::ValidationData& data, const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    const std::filesystem::path file = folder / "validation.pdf";
+    try {
+        report::writeValidationReport(data, file.string());
+    } catch (const std::runtime_error& e) {
+        return run::tell(e.what()), run::kMachineFailed;
+    }
+    run::tell(file.string() + " written");
+    return run::kDone;
+}
+
+}  // namespace
+
+int runValidate(const run::Store& store, const ValidateOptions& o) {
+    const ValidationContext context{store, files::assetFolder() / "validation"};
+    report::ValidationData data;
+    data.date = core::formatUtc(run::now()).substr(0, 10);
+    data.program = std::string("build ").append(core::coreBuildId());
+    int code = run::kDone;
+    run::print("case,kind,quantity,measured,reference,error,tolerance,result\n");
+    for (const std::string& id : o.cases.empty() ? validationIds(context.folder) : o.cases) {
+        const auto result = runValidation(context, id);
+        if (!result) {
+            run::tell(result.error().text());
+            code = run::kBadRequest;
+            continue;
+        }
+        for (const ValidationRow& row : result->outcome.rows) run::print(csvRow(*result, row));
+        if (!result->outcome.trouble.empty()) {
+            run::tell(id + ": " + result->outcome.trouble);
+            run::print(fmt::format("{},{},,,,,,short\n", id, result->evidence));
+        }
+        addTo(data, *result);
+    }
+    const int written = writeReport(data, o.out);
+    return code == run::kDone ? written : code;
+}
+
+}  // namespace sagara::tools

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/Config.h"
+#include "core/exercise/Documents.h"
+#include "ui/report/XyPlot.h"
+
+namespace sagara::tools {
+
+/// One number of a case against its reference.
+struct ValidationRow {
+    std::string quantity;
+    double measured = 0.0;  ///< NaN: not reached
+    double reference = 0.0;
+    double tolerance = 0.0;
+    bool share = false;  ///< error and tolerance over the reference; else in the unit of the quantity
+
+    double error() const { return share ? (measured - reference) / reference : measured - reference; }
+    bool ok() const { return error() <= tolerance && error() >= -tolerance; }
+};
+
+/// What came of a case.
+struct ValidationOutcome {
+    std::vector<ValidationRow> rows;
+    std::vector<report::XyPlot> plots;
+    std::string trouble;  ///< why it could not be run: a vessel that is not there
+};
+
+/// Where a case finds ships and published tables.
+struct ValidationContext {
+    const core::DocumentSource& documents;
+    std::filesystem::path folder;  ///< of the cases; tables are in its folder `reference`
+};
+
+/// A kind of case: reads its members of the document and, when they are sound, runs it. Members that all
+/// cases have (see README.md of assets/validation) are read before.
+using RunCase = ValidationOutcome (*)(const ValidationContext& context, core::config::Reader& in);
+
+// One line here and one in Validation.cpp for each kind.
+ValidationOutcome runManoeuvreCase(const ValidationContext& context, core::config::Reader& in);
+
+}  // namespace sagara::tools

@@ -1,0 +1,82 @@
+#include "core/vessel/Ballast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/vessel/Estimate.h"
+
+namespace sagara::core {
+namespace {
+
+constexpr const char* kSource =
+    "the loaded ship brought to ballast draught: displacement by Normand, derivatives by Clarke, Gedling & "
+    "Hine "
+    "1983, resistance with the wetted surface of Denny & Mumford";
+
+/// KB by Morrish and BM by the waterplane, as in formOf.
+double metacentreHeight_m(const Hull& h) {
+    const double Cb = h.blockCoefficient(), Cwp = h.waterplaneCoefficient;
+    return h.draught_m * (5.0 / 6.0 - Cb / (3.0 * Cwp)) +
+           (0.1216 * Cwp - 0.0410) * h.beam_m * h.beam_m / (h.draught_m * Cb);
+}
+
+Hull ballastHull(const Hull& loaded) {
+    Hull h = loaded;
+    h.draught_m = std::clamp(2.0 + 0.02 * loaded.lengthBp_m, 0.55 * loaded.draught_m, 0.9 * loaded.draught_m);
+    h.displacement_m3 =
+        loaded.displacement_m3 *
+        std::pow(h.draught_m / loaded.draught_m, loaded.waterplaneCoefficient / loaded.blockCoefficient());
+    const double gravity_m = metacentreHeight_m(loaded) - loaded.metacentricHeight_m;
+    h.metacentricHeight_m = std::max(0.3, metacentreHeight_m(h) - gravity_m);
+    h.stations.clear();
+    h.provenance = {Quality::Estimated, kSource};
+    return h;
+}
+
+estimate::Form formOf(const Hull& h) {
+    estimate::Form f{};
+    f.length_m = h.lengthBp_m;
+    f.beam_m = h.beam_m;
+    f.draught_m = h.draught_m;
+    f.volume_m3 = h.displacement_m3;
+    f.block = h.blockCoefficient();
+    return f;
+}
+
+double wettedSurface_m2(const Hull& h) {
+    return 1.7 * h.lengthBp_m * h.draught_m + h.displacement_m3 / h.draught_m;
+}
+
+void bringTo(MmgParameters& p, const Hull& loaded, const Hull& ballast) {
+    const estimate::Derivatives from = estimate::derivativesOf(formOf(loaded)),
+                                to = estimate::derivativesOf(formOf(ballast));
+    const double lighter = loaded.draught_m / ballast.draught_m;  // coefficients are over the draught
+    const auto change = [&](double before, double after) { return lighter * after / before; };
+    p.inertia.mx *= change(from.Xudot, to.Xudot);
+    p.inertia.my *= change(from.Yvdot, to.Yvdot);
+    p.inertia.Jz *= change(from.Nrdot, to.Nrdot);
+    p.hull.Yv *= change(from.Yv, to.Yv);
+    p.hull.Nv *= change(from.Nv, to.Nv);
+    p.hull.Nr *= change(from.Nr, to.Nr);
+    p.hull.R0 *= change(wettedSurface_m2(loaded), wettedSurface_m2(ballast));
+}
+
+}  // namespace
+
+std::optional<Vessel> inBallast(const Vessel& loaded) {
+    Vessel v = loaded;
+    v.hull = ballastHull(loaded.hull);
+    for (const NamedModel& named : loaded.models) {
+        const auto* mmg = std::get_if<MmgModel>(&named.parameters);
+        if (!mmg) continue;
+        MmgModel model = *mmg;
+        bringTo(model.parameters, loaded.hull, v.hull);
+        v.models = {named};
+        v.models.front().provenance = {Quality::Estimated, kSource};
+        v.models.front().parameters = model;
+        return v;
+    }
+    return std::nullopt;
+}
+
+}  // namespace sagara::core

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QPainter>
+#include <QPointF>
+#include <QRectF>
+#include <string>
+#include <vector>
+
+namespace sagara::report {
+
+/// Lines and points over two axes. Plain values.
+struct XyPlot {
+    struct Series {
+        std::string name;
+        bool points = false;  ///< measured or published: open circles; else a line
+        std::vector<QPointF> at;
+    };
+    std::string title;
+    std::string xTitle;
+    std::string yTitle;
+    bool sameScale = false;  ///< of both axes: tracks
+    std::vector<Series> series;
+};
+
+/// Title, frame with ticks, lines, points (thinned where they would touch) and a key below.
+void drawXyPlot(QPainter& painter, const XyPlot& plot, const QRectF& area);
+
+}  // namespace sagara::report
