@@ -34,6 +34,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.propulsion = readGroup(in, "propulsion", readPropulsion);
     v.steering = readGroup(in, "steering", readSteering);
     v.windage = readGroup(in, "windage", readWindage);
+    if (v.windage.isherwood) v.windage.isherwood->beam_m = v.hull.beam_m;
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
     if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);
