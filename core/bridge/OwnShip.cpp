@@ -48,11 +48,12 @@ TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics
 
 }  // namespace
 
-OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves)
+OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
+                 std::string_view model)
     : id(std::move(shipId)),
       name(std::move(shipName)),
       vessel(std::move(shipVessel)),
-      dynamics(vessel, waves),
+      dynamics(vessel, waves, model),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
       advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),

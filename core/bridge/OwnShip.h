@@ -23,7 +23,8 @@ struct TurningIndices {
 
 /// An own ship of the exercise: her vessel and where she begins. Immutable, part of the World.
 struct OwnShip {
-    OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves);
+    OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
+            std::string_view model = {});
 
     std::string id;
     std::string name;

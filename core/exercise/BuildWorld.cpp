@@ -136,7 +136,12 @@ private:
                                      [&](const Vessel& v) { return v.id == vesselId; });
         if (it == m_vessels.end()) return;  // the missing document is reported where documents are collected
         if (!m_shipIds.insert(id).second) in.problem("id", "is \"" + id + "\" again", "each id once");
-        auto ship = std::make_unique<OwnShip>(id, name, *it, m_world->waves);
+        std::string model = in.textOr("model", "");
+        if (const auto known = it->model(model); !known) {
+            in.problem("model", "is \"" + model + "\"", known.error());
+            model.clear();
+        }
+        auto ship = std::make_unique<OwnShip>(id, name, *it, m_world->waves, model);
         if (in.has("berth")) {
             readBerth(in, *ship);
         } else {

@@ -7,7 +7,8 @@
 
 namespace sagara::core {
 
-TrialShip::TrialShip(const Vessel& vessel) : m_vessel(vessel), m_dynamics(m_vessel, m_calm) {}
+TrialShip::TrialShip(const Vessel& vessel, std::string_view model)
+    : m_vessel(vessel), m_dynamics(m_vessel, m_calm, model) {}
 
 void TrialShip::begin(const Approach& approach) {
     m_motion = {};

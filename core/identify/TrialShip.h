@@ -13,7 +13,8 @@ namespace sagara::core {
 /// the exercise.
 class TrialShip {
 public:
-    explicit TrialShip(const Vessel& vessel);
+    /// `model`: see ShipDynamics.
+    explicit TrialShip(const Vessel& vessel, std::string_view model = {});
 
     /// Straight ahead at this speed from the origin, time zero.
     void begin(const Approach& approach);

@@ -118,7 +118,7 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
             .yaw_Nm = m_model.rudderYawLever_m * force_N};
 }
 
-Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
+Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate, double /*depth_m*/) const {
     const PolynomialModel& k = m_model;
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
     Load f;
@@ -132,7 +132,7 @@ Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const
 }
 
 PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actuators& actuators,
-                                                const Load& external) const {
+                                                const Load& external, double /*depth_m*/) const {
     const PolynomialModel& k = m_model;
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
     const Load f = hullLoad(m) + propulsionLoad(m, actuators) + rudderLoad(m, actuators) + external;

@@ -28,8 +28,8 @@ class PolynomialShip {
 public:
     PolynomialShip(const PolynomialModel& model, const Vessel& vessel);
 
-    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators,
-                                    const Load& external) const;
+    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                                    double depth_m = kDeepWater_m) const;
 
     /// 1 where the published set holds, 0 where the extension has taken over.
     double publishedShare(double surge_mps) const;
@@ -37,10 +37,11 @@ public:
     Load hullLoad(const ShipMotion& m) const;
     Load propulsionLoad(const ShipMotion& m, const Actuators& actuators) const;
     Load rudderLoad(const ShipMotion& m, const Actuators& actuators) const;
-    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const {
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators, double /*depth_m*/) const {
         return {hullLoad(m), rudderLoad(m, actuators), propulsionLoad(m, actuators)};
     }
-    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;  ///< see ShipDynamics
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const;  ///< see ShipDynamics
+    bool ownsRoll() const { return true; }
     double swayAddedMass_kg() const { return -m_model.Yvdot; }
 
 private:

@@ -27,7 +27,8 @@ SandaruwanShip::Pace SandaruwanShip::paceAt(double surge_mps) const {
             m_model.swayTimeConstant_s / pace, rest};
 }
 
-HullForces SandaruwanShip::hullForces(const ShipMotion& m, const Actuators& actuators) const {
+HullForces SandaruwanShip::hullForces(const ShipMotion& m, const Actuators& actuators,
+                                      double /*depth_m*/) const {
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps;
     const Pace pace = paceAt(u);
     HullForces f;
@@ -46,7 +47,7 @@ HullForces SandaruwanShip::hullForces(const ShipMotion& m, const Actuators& actu
     return f;
 }
 
-Load SandaruwanShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
+Load SandaruwanShip::forceFor(const ShipMotion& m, const ShipMotion& rate, double /*depth_m*/) const {
     const double mass_kg = m_hull.mass_kg();
     Load f;
     f.surge_N = mass_kg * (1.0 + m_model.surgeAddedMassRatio) * rate.surge_mps -
@@ -57,7 +58,7 @@ Load SandaruwanShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const
 }
 
 PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actuators& actuators,
-                                                const Load& external) const {
+                                                const Load& external, double /*depth_m*/) const {
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps;
     const double mass_kg = m_hull.mass_kg();
     // Below a tenth of the reference speed the time constants stand still, or they would grow without end.

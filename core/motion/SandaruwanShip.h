@@ -14,12 +14,13 @@ class SandaruwanShip {
 public:
     SandaruwanShip(const SandaruwanModel& model, const Vessel& vessel);
     /// roll_radps2 is 0: the model has no roll, see VerticalMotion.
-    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators,
-                                    const Load& external) const;
+    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                                    double depth_m = kDeepWater_m) const;
     /// Of yaw and sway the model knows only what they do: their forces are these accelerations times mass and
     /// inertia with their added parts.
-    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const;
-    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;  ///< see ShipDynamics
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators, double depth_m) const;
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const;  ///< see ShipDynamics
+    bool ownsRoll() const { return false; }
     double swayAddedMass_kg() const { return m_model.swayAddedMassRatio * m_hull.mass_kg(); }
 
 private:

@@ -90,6 +90,39 @@ TEST(Vessel, ATermThatIsNotAProductIsRefused) {
         EXPECT_FALSE(parseFactors(bad, f)) << bad;
 }
 
+// --- several models ---
+
+std::string withModels(const std::string& second) {
+    std::string text = patrol();
+    const std::size_t at = text.find("\"model\": {"), end = text.find("\"seakeeping\"");
+    const std::size_t brace = text.rfind('}', end);
+    const std::string group = text.substr(at + 9, brace + 1 - (at + 9));
+    return text.replace(at, brace + 1 - at,
+                        "\"models\": [" + group + ", " + replaced(group, "{", second) + "]");
+}
+
+TEST(Vessel, ASingleModelIsAListOfOneNamedAfterItsKind) {
+    const Vessel v = loadVessel("patrol51", patrol()).value();
+    ASSERT_EQ(v.models.size(), 1u);
+    EXPECT_EQ(v.models[0].name, "polynomial");
+    EXPECT_EQ(v.models[0].provenance.quality, Quality::Published);
+}
+
+TEST(Vessel, ModelsAreFoundByNameAndTheFirstIsTheDefault) {
+    const Vessel v = loadVessel("patrol51", withModels("{ \"name\": \"fitted\",")).value();
+    ASSERT_EQ(v.models.size(), 2u);
+    EXPECT_EQ(v.model().value(), &v.models[0]);
+    EXPECT_EQ(v.model("fitted").value(), &v.models[1]);
+    EXPECT_EQ(v.model("mmg").error(), "vessel patrol51 has no model \"mmg\"; there are: polynomial, fitted");
+}
+
+TEST(Vessel, ModelsOfTheSameNameAreRefused) {
+    EXPECT_EQ(problemsOf(withModels("{")),
+              "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
+              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010");
+}
+
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {
     EXPECT_EQ(problemsOf(replaced(patrol(), "\"version\": 1", "\"version\": 2")),
               "v.json: version is 2, expected a whole number from 1 to 1");
