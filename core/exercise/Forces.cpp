@@ -11,7 +11,7 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     actuators.rudder_rad = s.steering.angle_rad;
     for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = s.shafts[i].speed_rps;
     const TickEnvironment environment(world, state);
-    const TickLoads loads(world, state, index, environment);
+    const TickLoads loads(world, state, index, environment, actuators);
     const HullForces own = ship.dynamics.hullForces(s.motion, actuators, loads.depth_m());
 
     ShipForces forces;
@@ -19,7 +19,7 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
         forces[static_cast<std::size_t>(cause)] = {
             .surge_N = l.surge_N, .sway_N = l.sway_N, .yaw_Nm = l.yaw_Nm};
     };
-    set(ForceCause::Hull, own.hull);
+    set(ForceCause::Hull, own.hull + loads.confined());
     set(ForceCause::Rudder, own.rudder);
     set(ForceCause::Propeller, own.propeller);
     set(ForceCause::Wind, loads.wind());

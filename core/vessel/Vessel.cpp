@@ -63,6 +63,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.steering = readGroup(in, "steering", readSteering);
     v.windage = readGroup(in, "windage", readWindage);
     if (v.windage.isherwood) v.windage.isherwood->beam_m = v.hull.beam_m;
+    if (in.has("shallowWater")) v.shallow = readGroup(in, "shallowWater", readShallowWater);
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
     if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);

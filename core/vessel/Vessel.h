@@ -9,6 +9,7 @@
 #include "core/vessel/Hull.h"
 #include "core/vessel/Machinery.h"
 #include "core/vessel/Picture.h"
+#include "core/vessel/ShallowWater.h"
 #include "core/vessel/ShipModel.h"
 #include "core/vessel/Windage.h"
 
@@ -30,6 +31,7 @@ struct Vessel {
     Propulsion propulsion;
     Steering steering;
     Windage windage;
+    ShallowWater shallow;
     MooringGear mooring;
     GroundTackle groundTackle;
     std::optional<Picture> picture;  ///< none: drawn from her form

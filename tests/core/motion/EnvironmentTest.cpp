@@ -118,9 +118,12 @@ TEST(Propeller, PushesTheRightWayInEveryQuadrant) {
 }
 
 TEST(Squat, IsBarrassInShallowWaterAndNothingInDeep) {
-    EXPECT_NEAR(squat_m(0.831, 5 * kKnot_mps, 26.08, 21.73), 0.20775,
-                1e-9);  // squat_check.csv, barrass_simple
-    EXPECT_EQ(squat_m(0.831, 5 * kKnot_mps, 80.0, 21.73), 0.0);
+    const SquatHull hull{325.0, 53.0, 21.73, 0.831};
+    const auto squat = [&](double depth_m) {
+        return squatUnderWay_m(SquatFormula::BarrassSimple, hull, 5 * kKnot_mps, depth_m);
+    };
+    EXPECT_NEAR(squat(26.08), 0.20775, 1e-9);  // squat_check.csv, barrass_simple
+    EXPECT_EQ(squat(80.0), 0.0);
 }
 
 }  // namespace
