@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/motion/Actuators.h"
 #include "core/motion/Load.h"
+#include "core/motion/Propeller.h"
 #include "core/motion/ShipMotion.h"
 #include "core/vessel/Vessel.h"
 
@@ -15,6 +17,7 @@ struct PlanarAcceleration {
     double sway_mps2 = 0.0;
     double roll_radps2 = 0.0;
     double yaw_radps2 = 0.0;
+    double heel_Nm = 0.0;  ///< of the forces in the plane, where the model does not own roll
 };
 
 /// A published polynomial set at work: M nu' = F as in Perez and Blanke (2002), with an extension that lets
@@ -45,11 +48,11 @@ public:
     double swayAddedMass_kg() const { return -m_model.Yvdot; }
 
 private:
-    double thrust_N(std::size_t shaft, double shaft_rps, double surge_mps) const;
+    double thrust_N(std::size_t shaft, const Actuators& actuators, double surge_mps) const;
 
     PolynomialModel m_model;
     Hull m_hull;
-    Propulsion m_propulsion;
+    std::vector<Propeller> m_propellers;
     Steering m_steering;
     std::array<std::array<double, 3>, 3> m_inverseMass{};  ///< of sway, roll, yaw
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/motion/Thruster.h"
 
 namespace sagara::core {
 namespace {
@@ -12,6 +13,7 @@ struct MakeShip {
     const Vessel& vessel;
     ManoeuvringShip operator()(const PolynomialModel& model) const { return PolynomialShip(model, vessel); }
     ManoeuvringShip operator()(const SandaruwanModel& model) const { return SandaruwanShip(model, vessel); }
+    ManoeuvringShip operator()(const MmgModel& model) const { return MmgShip(model, vessel); }
 };
 
 double criticalDamping(double stiffness, double inertia) { return 2.0 * std::sqrt(stiffness * inertia); }
@@ -39,6 +41,8 @@ WaveLoad::Coefficients ShipDynamics::coefficients(const Vessel& vessel) {
 
 ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::string_view model)
     : m_model(std::visit(MakeShip{vessel}, vessel.model(model).value()->parameters)),
+      m_thrusters(vessel.thrusters),
+      m_hull(vessel.hull),
       m_modelHasRoll(std::visit([](const auto& ship) { return ship.ownsRoll(); }, m_model)),
       m_mass_kg(vessel.hull.mass_kg()),
       m_swayMass_kg(m_mass_kg +
@@ -59,7 +63,8 @@ HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuat
     };
     const HullForces f =
         std::visit([&](const auto& ship) { return ship.hullForces(m, actuators, depth_m); }, m_model);
-    return {planar(f.hull), planar(f.rudder), planar(f.propeller)};
+    return {planar(f.hull), planar(f.rudder),
+            planar(f.propeller + thrusterLoad(m_thrusters, m, actuators, m_hull))};
 }
 
 Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const {
@@ -76,7 +81,7 @@ Load ShipDynamics::horizontalForce(const WaveEffect& waves, double depth_m) cons
 
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                                     const WaveEffect& waves, NorthEast current, double depth_m) const {
-    const Load load = external + waves.load;
+    const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a =
         std::visit([&](const auto& ship) { return ship.acceleration(m, actuators, load, depth_m); }, m_model);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
@@ -91,11 +96,10 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     rate.surge_mps = a.surge_mps2 + waves.surge_mps2;
     rate.sway_mps = a.sway_mps2 + waves.sway_mps2;
     rate.yawRate_radps = a.yaw_radps2 + waves.yaw_radps2;
-    rate.rollRate_radps =
-        m_modelHasRoll
-            ? a.roll_radps2
-            : (load.roll_Nm - m_c.rollStiffness * m.roll_rad - m_rollDamping_Nms * m.rollRate_radps) /
-                  m_rollInertia_kgm2;
+    rate.rollRate_radps = m_modelHasRoll ? a.roll_radps2
+                                         : (load.roll_Nm + a.heel_Nm - m_c.rollStiffness * m.roll_rad -
+                                            m_rollDamping_Nms * m.rollRate_radps) /
+                                               m_rollInertia_kgm2;
     rate.heaveRate_mps = (load.heave_N - m_c.heaveStiffness * m.down_m - m_c.heaveDamping * m.heaveRate_mps) /
                          (m_mass_kg + m_c.heaveAddedMass);
     rate.pitchRate_radps =

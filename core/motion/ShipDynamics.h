@@ -3,6 +3,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/motion/MmgShip.h"
 #include "core/motion/SandaruwanShip.h"
 #include "core/motion/WaveLoad.h"
 
@@ -10,7 +11,7 @@ namespace sagara::core {
 
 /// One alternative for each kind of model. Each is made from its parameters and the vessel and has
 /// acceleration, hullForces, forceFor, swayAddedMass_kg and ownsRoll.
-using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip>;
+using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip, MmgShip>;
 
 /// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
 /// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
@@ -25,8 +26,9 @@ public:
     ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                           const WaveEffect& waves, NorthEast current, double depth_m = kDeepWater_m) const;
 
-    /// Forces of the water on hull, rudders and propellers alone, in the horizontal plane (other members 0).
-    /// A model that has no force for something says what force would do the same.
+    /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
+    /// the horizontal plane (other members 0). A model that has no force for something says what force would
+    /// do the same.
     HullForces hullForces(const ShipMotion& m, const Actuators& actuators,
                           double depth_m = kDeepWater_m) const;
     /// The force in the horizontal plane, of all causes together, that changes her velocities at this rate:
@@ -44,6 +46,8 @@ private:
     static WaveLoad::Coefficients coefficients(const Vessel& vessel);
 
     ManoeuvringShip m_model;
+    Thrusters m_thrusters;
+    Hull m_hull;
     bool m_modelHasRoll;
     double m_mass_kg;
     double m_swayMass_kg;

@@ -149,8 +149,9 @@ bool parseFactors(const std::string& text, std::array<Factor, 4>& factors) {
 
 NamedModel readShipModel(config::Reader& in) {
     using Read = ShipModel (*)(config::Reader&);
-    const auto read = in.choiceIfKnown<Read>(
-        "kind", {{"polynomial", readAs<readPolynomial>}, {"sandaruwan2010", readAs<readSandaruwan>}});
+    const auto read = in.choiceIfKnown<Read>("kind", {{"polynomial", readAs<readPolynomial>},
+                                                      {"sandaruwan2010", readAs<readSandaruwan>},
+                                                      {"mmg", readAs<readMmg>}});
     const std::string name = in.has("name") ? in.id("name") : in.textOr("kind", "");
     const Provenance provenance = readProvenance(in);
     if (!read) return {name, provenance, {}};

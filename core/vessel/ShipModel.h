@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/vessel/MmgModel.h"
 #include "core/vessel/Provenance.h"
 
 /// Parameters of the manoeuvring models a vessel document can carry. The physics is in core/motion.
@@ -80,7 +81,7 @@ struct SandaruwanModel {
 };
 
 /// One alternative for each kind of model.
-using ShipModel = std::variant<PolynomialModel, SandaruwanModel>;
+using ShipModel = std::variant<PolynomialModel, SandaruwanModel, MmgModel>;
 
 /// One of the models a vessel can be run with.
 struct NamedModel {

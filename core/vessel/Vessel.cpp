@@ -61,6 +61,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.seakeeping = readGroup(in, "seakeeping", readSeakeeping);
     v.propulsion = readGroup(in, "propulsion", readPropulsion);
     v.steering = readGroup(in, "steering", readSteering);
+    if (in.has("thrusters")) v.thrusters = readGroup(in, "thrusters", readThrusters);
     v.windage = readGroup(in, "windage", readWindage);
     if (v.windage.isherwood) v.windage.isherwood->beam_m = v.hull.beam_m;
     if (in.has("shallowWater")) v.shallow = readGroup(in, "shallowWater", readShallowWater);

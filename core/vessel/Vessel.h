@@ -11,6 +11,7 @@
 #include "core/vessel/Picture.h"
 #include "core/vessel/ShallowWater.h"
 #include "core/vessel/ShipModel.h"
+#include "core/vessel/Thrusters.h"
 #include "core/vessel/Windage.h"
 
 namespace sagara::core {
@@ -30,6 +31,7 @@ struct Vessel {
     Seakeeping seakeeping;
     Propulsion propulsion;
     Steering steering;
+    Thrusters thrusters;  ///< may have none
     Windage windage;
     ShallowWater shallow;
     MooringGear mooring;
