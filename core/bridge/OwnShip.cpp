@@ -48,6 +48,17 @@ TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics
     return {std::clamp(gain, 0.1, 5.0), std::clamp(lag, 0.1, 10.0)};
 }
 
+/// A model says by what it does whether it knows shallow water.
+bool feelsDepth(const Vessel& vessel, const ShipDynamics& dynamics) {
+    ShipMotion m;
+    m.surge_mps = 3.0;
+    m.sway_mps = 0.3;
+    m.yawRate_radps = m.surge_mps / vessel.hull.lengthBp_m / 5.0;
+    const Load deep = dynamics.hullForces(m, {}).hull;
+    const Load shallow = dynamics.hullForces(m, {}, 1.5 * vessel.hull.draught_m).hull;
+    return deep.surge_N != shallow.surge_N || deep.sway_N != shallow.sway_N || deep.yaw_Nm != shallow.yaw_Nm;
+}
+
 }  // namespace
 
 OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
@@ -58,7 +69,8 @@ OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, co
       propellers(propellersOf(vessel.propulsion)),
       dynamics(vessel, waves, model),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
-      keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
+      keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm(), vessel.shallow.squat)),
+      modelFeelsDepth(feelsDepth(vessel, dynamics)),
       advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),
       turning(turningIndices(vessel, dynamics, advancePerRev_m)) {}
 

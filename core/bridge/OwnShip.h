@@ -36,6 +36,7 @@ struct OwnShip {
     Keel keel;
     ShipMotion start;
     std::array<double, kMostShafts> startShafts_rps{};
+    bool modelFeelsDepth;    ///< her manoeuvring model has effects of shallow water of its own
     double advancePerRev_m;  ///< steady speed ahead in calm water over shaft speed, from a run of the model
     TurningIndices turning;  ///< half ahead, from a run of the model
     std::vector<std::string> lineIds;

@@ -84,7 +84,7 @@ void finishWhenOver(const World& world, State& state, std::vector<Event>& events
 State startState(const World& world, int level) {
     State state;
     state.level = std::clamp(level, 1, kLevels);
-    state.weather = startWeather(world.weather, world.level(state.level), world.waves);
+    state.weather = startWeather(world.weather, world.level(state.level), world.waves, world.sea);
     for (const auto& ship : world.ships) state.ships.push_back(startOf(*ship));
     for (const TargetLayout& layout : world.targets) state.targets.push_back(startOf(layout));
     state.fired.assign(world.events.size(), 0);
@@ -107,10 +107,10 @@ std::vector<Event> advance(const World& world, State& state, std::span<const Com
     DeckWatch before(state);
     for (const Command& command : commands) applyOrder(world, state, command.ship, command.order, events);
     fireDueEvents(world, state, events);
-    runWeather(state.weather, world.waves, state.tick);
+    runWeather(state.weather, world.waves, state.tick, world.sea);
 
     TickEnvironment environment(world, state);
-    moveTargets(world, state, kTick_s);
+    moveTargets(world, state, environment.water, kTick_s);
     for (std::size_t i = 0; i < state.ships.size() && !state.stopped; ++i)
         moveShip(world, state, i, environment, events);
     before.report(world, state, events);

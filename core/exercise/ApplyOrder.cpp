@@ -35,6 +35,7 @@ public:
         const LevelPreset& level = m_world.level(m_state.level);
         Weather w = scaled(m_state.weather.base, level);
         w.wind.speed_mps = order.windSpeed_mps.value_or(w.wind.speed_mps);
+        if (order.windSpeed_mps) w.windSea = 1.0, w.ownSea = 0.0;  // the sea follows the wind again
         w.wind.windFrom_rad = order.windFrom_rad.value_or(w.wind.windFrom_rad);
         w.wind.gustiness = order.gustiness.value_or(w.wind.gustiness);
         for (std::size_t i = 0; i < kMostSwells; ++i) w.swells[i] = order.swells[i].value_or(w.swells[i]);

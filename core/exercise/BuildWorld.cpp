@@ -6,6 +6,7 @@
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/PilotDocument.h"
 #include "core/exercise/ScenarioVersion.h"
+#include "core/exercise/SeaDocument.h"
 #include "core/exercise/StartCheck.h"
 #include "core/exercise/TrafficDocument.h"
 #include "core/exercise/World.h"
@@ -70,6 +71,7 @@ private:
         w.wind.speed_mps = kKnot_mps * wind.number("speed_kn", {0.0, 120.0, "kn"});
         w.wind.windFrom_rad = kDegree_rad * wind.number("from_deg", kDegrees);
         w.wind.gustiness = wind.number("gustiness", {0.0, 0.5, ""});
+        readWindShape(wind);
         wind.rejectUnknownKeys();
         w.exposure =
             in.choice<Exposure>("exposure", {{"inshore", Exposure::Inshore}, {"ocean", Exposure::Ocean}});
@@ -84,9 +86,46 @@ private:
             w.current = speed_mps * unitVector(kDegree_rad * current.number("to_deg", kDegrees));
             current.rejectUnknownKeys();
         }
+        if (in.has("sea")) {
+            config::Reader sea(in.child("sea"));
+            m_world->sea = readSea(sea);
+            w.windSea = 0.0;
+            w.ownSea = 1.0;
+        }
+        readStreamsOf(in);
         w.visibility_m = kNauticalMile_m * in.number("visibility_M", {0.01, 30.0, "M"});
         w.rain = in.numberOr("rain", 0.0, {0.0, 1.0, ""});
         in.rejectUnknownKeys();
+    }
+
+    void readWindShape(config::Reader& wind) {
+        if (wind.has("gustSpectrum")) {
+            const auto spectrum =
+                wind.choice<GustSpectrum>("gustSpectrum", {{"davenport", GustSpectrum::Davenport},
+                                                           {"harris", GustSpectrum::Harris},
+                                                           {"kaimal", GustSpectrum::Kaimal},
+                                                           {"froya", GustSpectrum::Froya}});
+            m_world->gusts = GustTable(m_world->seed, spectrum);
+        }
+        if (wind.has("profile"))
+            m_world->windProfile =
+                wind.choice<WindProfile>("profile", {{"uniform", WindProfile::Uniform},
+                                                     {"power", WindProfile::Power},
+                                                     {"logarithmic", WindProfile::Logarithmic},
+                                                     {"froya", WindProfile::Froya}});
+    }
+
+    /// The scenario's own streams, or else the area's.
+    void readStreamsOf(config::Reader& weather) {
+        m_world->streams = m_world->area.streams;
+        if (weather.has("streams")) {
+            config::Reader in(weather.child("streams"));
+            m_world->streams = readStreams(in, m_world->area.frame);
+            if (m_world->streams.isTidal() && m_world->area.tide.empty())
+                weather.problem("streams", "go by the hour",
+                                "an area with a tide, or fields without \"byHour\"");
+        }
+        if (m_world->streams.isTidal()) m_world->highWaters = highWatersOf(m_world->tide, m_world->longest_s);
     }
 
     void readLevels() {

@@ -8,15 +8,16 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     const OwnShip& ship = *world.ships[index];
     const OwnShipState& s = state.ships[index];
     const TickEnvironment environment(world, state);
-    const TickLoads loads(world, state, index, environment);
-    const HullForces own = ship.dynamics.hullForces(s.motion, actuatorsOf(ship, s), loads.depth_m());
+    const Actuators actuators = actuatorsOf(ship, s);
+    const TickLoads loads(world, state, index, environment, actuators);
+    const HullForces own = ship.dynamics.hullForces(s.motion, actuators, loads.depth_m());
 
     ShipForces forces;
     const auto set = [&](ForceCause cause, const Load& l) {
         forces[static_cast<std::size_t>(cause)] = {
             .surge_N = l.surge_N, .sway_N = l.sway_N, .yaw_Nm = l.yaw_Nm};
     };
-    set(ForceCause::Hull, own.hull);
+    set(ForceCause::Hull, own.hull + loads.confined());
     set(ForceCause::Rudder, own.rudder);
     set(ForceCause::Propeller, own.propeller);
     set(ForceCause::Wind, loads.wind());

@@ -80,9 +80,9 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
               std::vector<Event>& events) {
     const OwnShip& ship = *world.ships[index];
     OwnShipState& s = state.ships[index];
-    const NorthEast current = state.weather.now.current;
     const Actuators actuators = workShip(world, ship, s);
-    const TickLoads loads(world, state, index, environment);
+    const TickLoads loads(world, state, index, environment, actuators);
+    const NorthEast current = loads.current();
     s.motion = rk4Step(s.motion, kTick_s, [&](const ShipMotion& m) { return loads.rate(m, actuators); });
     if (const std::int32_t component = notFinite(s.motion); component >= 0) {
         state.stopped = true;
@@ -102,15 +102,15 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
         workLine(ship.vessel.mooring, ship.lines[k], s.lines[k], s.motion, kTick_s);
     }
     for (std::size_t k = 0; k < ship.anchorCount(); ++k) {
-        const AnchorGround under{world.area.depth_m(s.motion.position()) + environment.tide_m,
+        const AnchorGround under{world.area.depth_m(s.motion.position()) + environment.water.tide_m,
                                  world.area.holdingRatio};
         workAnchor(ship.vessel.groundTackle.anchors[k], s.anchors[k], under, s.motion, kTick_s);
     }
     if (!loads.obstacles().empty()) {
         reportContacts(findTouches(loads.obstacles(), ship.hull, s.motion, current), state, index, events);
     }
-    reportGround(state, index, underKeel(world.area, ship.keel, s.motion, environment.tide_m).clearance_m,
-                 events);
+    reportGround(state, index,
+                 underKeel(world.area, ship.keel, s.motion, environment.water.tide_m).clearance_m, events);
 }
 
 }  // namespace sagara::core

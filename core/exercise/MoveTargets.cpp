@@ -1,5 +1,7 @@
 #include "core/exercise/MoveTargets.h"
 
+#include <algorithm>
+
 #include "core/world/Hostile.h"
 
 namespace sagara::core {
@@ -17,13 +19,16 @@ const ShipMotion& nearestOwnShip(const State& state, NorthEast p) {
 
 }  // namespace
 
-void moveTargets(const World& world, State& state, double dt_s) {
+void moveTargets(const World& world, State& state, const WaterNow& water, double dt_s) {
+    const bool pushes = std::any_of(world.ships.begin(), world.ships.end(),
+                                    [](const auto& ship) { return ship->vessel.shallow.ships; });
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         TargetState& target = state.targets[i];
         if (!target.present) continue;
         const TargetLayout& layout = targetLayout(world, state, i);
+        if (pushes) pushTarget(world, state, layout, target, water, dt_s);
         TargetIntent intent{target.heading_rad, 0.0};
-        NorthEast drift = state.weather.now.current;
+        NorthEast drift = currentAt(world, water, target.position);
         if (target.underOrders()) {
             moveTarget(layout, target, followOrders(layout, target), drift, dt_s);
             continue;

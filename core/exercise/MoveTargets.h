@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/exercise/State.h"
+#include "core/exercise/LocalWater.h"
 
 namespace sagara::core {
 
 /// All traffic for one tick: each follows her own wants.
-void moveTargets(const World& world, State& state, double dt_s);
+void moveTargets(const World& world, State& state, const WaterNow& water, double dt_s);
 
 }  // namespace sagara::core

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/exercise/LocalWater.h"
+
 namespace sagara::core {
 namespace {
 
@@ -49,7 +51,7 @@ Observation observe(const World& world, const State& state, std::size_t index) {
     o.position = m.position();
     o.heading_rad = m.heading_rad;
     o.overGround_mps = s.shownOverGround_mps;
-    o.momentarySpeed_mps = length(overGround_mps(s, state.weather.now.current));
+    o.momentarySpeed_mps = length(overGround_mps(s, currentAt(world, state, m.position())));
     o.alongGround_mps = dot(o.overGround_mps, unitVector(m.heading_rad));
     o.underKeel_m = s.underKeel_m;
     o.clearOfShore_m = clearOfShore_m(world.area, ship, m);

@@ -5,6 +5,7 @@
 
 #include "core/base/Trig.h"
 #include "core/base/Units.h"
+#include "core/exercise/LocalWater.h"
 #include "core/exercise/Observe.h"
 
 namespace sagara::core {
@@ -94,8 +95,10 @@ Snapshot view(const World& world, const State& state) {
     snapshot.sea = state.weather.sea;
     snapshot.tide_m = world.tide.height_m(state.time());
     for (std::size_t i = 0; i < state.ships.size(); ++i) {
-        snapshot.ships.push_back(viewShip(*world.ships[i], state.ships[i], state.weather.now.current));
+        snapshot.ships.push_back(viewShip(*world.ships[i], state.ships[i],
+                                          currentAt(world, state, state.ships[i].motion.position())));
     }
+    const WaterNow water(world, state, state.time());
     ActiveWaves waves;
     activeWaves(world.waves, state.weather.sea, state.time(), waves);
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
@@ -110,7 +113,7 @@ Snapshot view(const World& world, const State& state) {
                      t.speed_mps,
                      t.yawRate_radps,
                      activityNow(targetLayout(world, state, i), t)};
-        ride(v, targetLayout(world, state, i).length_m, waves, world.area.shelterFactor(t.position));
+        ride(v, targetLayout(world, state, i).length_m, waves, waveFactorAt(world, water, t.position));
         snapshot.targets.push_back(v);
     }
     snapshot.added = state.added;

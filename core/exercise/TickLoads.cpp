@@ -10,22 +10,22 @@ constexpr double kGroundNear_m = 1.5;  // with less water the ground is felt for
 
 }  // namespace
 
-TickEnvironment::TickEnvironment(const World& world, const State& state) {
+TickEnvironment::TickEnvironment(const World& world, const State& state)
+    : water(world, state, {state.time().us + kTick_us / 2}) {
     const SimTime middle{state.time().us + kTick_us / 2};
     activeWaves(world.waves, state.weather.sea, middle, waves);
     wind = world.gusts.at(state.weather.now.wind, middle);
-    tide_m = world.tide.height_m(middle);
 }
 
 TickLoads::TickLoads(const World& world, const State& state, std::size_t index,
-                     const TickEnvironment& environment)
+                     const TickEnvironment& environment, const Actuators& actuators)
     : m_world(world),
       m_state(state),
       m_index(index),
       m_ship(*world.ships[index]),
-      m_tide_m(environment.tide_m),
-      m_depth_m(world.area.depth_m(state.ships[index].motion.position()) + environment.tide_m),
-      m_current(state.weather.now.current),
+      m_tide_m(environment.water.tide_m),
+      m_depth_m(world.area.depth_m(state.ships[index].motion.position()) + m_tide_m),
+      m_current(currentAt(world, environment.water, state.ships[index].motion.position())),
       m_nearGround(state.ships[index].underKeel_m < kGroundNear_m) {
     const OwnShipState& s = state.ships[index];
     const NorthEast ground = overGround_mps(s, m_current);
@@ -33,10 +33,15 @@ TickLoads::TickLoads(const World& world, const State& state, std::size_t index,
     const NorthEast middle = s.motion.position() + 0.5 * kTick_s * ground;
     const double middleHeading_rad = s.motion.heading_rad + 0.5 * kTick_s * s.motion.yawRate_radps;
     m_waves = m_ship.dynamics.waveLoad().at(state.weather.sea, environment.waves, middle, middleHeading_rad,
-                                            world.area.shelterFactor(middle));
-    m_wind = windLoad(m_ship.vessel.windage, m_ship.vessel.hull.lengthOverall_m, environment.wind,
-                      s.motion.heading_rad, frame.vectorInBody(ground));
-    m_slow = m_wind;
+                                            waveFactorAt(world, environment.water, middle));
+    WindVelocity wind = environment.wind;
+    wind.speed_mps *= windFactorAt(m_ship.vessel.windage.centroidHeight_m, world.windProfile, wind.speed_mps);
+    m_wind = windLoad(m_ship.vessel.windage, m_ship.vessel.hull.lengthOverall_m, wind, s.motion.heading_rad,
+                      frame.vectorInBody(ground));
+    m_confined = confinedLoad(world, state, index, environment.water, actuators, m_depth_m);
+    if (!world.streams.empty())
+        m_confined = m_confined + streamLoad(world, environment.water, m_ship, s.motion, m_depth_m);
+    m_slow = m_wind + m_confined;
     for (std::size_t k = 0; k < m_ship.anchorCount(); ++k) {
         m_slow = m_slow + anchorLoad(m_ship.vessel.groundTackle.anchors[k], s.anchors[k], s.motion);
     }
@@ -66,7 +71,8 @@ void TickLoads::addShips() {
         const OwnShipState& s = m_state.ships[i];
         if (distance(s.motion.position(), here) > own.hull.radius_m + other.hull.radius_m) continue;
         m_obstacles.ships.add({other.hull.outline, other.hull.halfSize, s.motion.position(),
-                               s.motion.heading_rad, overGround_mps(s, m_state.weather.now.current),
+                               s.motion.heading_rad,
+                               overGround_mps(s, currentAt(m_world, m_state, s.motion.position())),
                                other.hull.lateralMass_kg, -1 - static_cast<std::int32_t>(i)});
     }
 }

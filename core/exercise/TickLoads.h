@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/exercise/State.h"
+#include "core/exercise/LocalWater.h"
 
 namespace sagara::core {
 
@@ -9,7 +9,7 @@ struct TickEnvironment {
     TickEnvironment(const World& world, const State& state);
     ActiveWaves waves;
     WindVelocity wind;
-    double tide_m;
+    WaterNow water;
 };
 
 /// What pushes one own ship in one tick. Waves and wind act for the whole tick as they are in its middle;
@@ -17,13 +17,18 @@ struct TickEnvironment {
 /// ship's own state only the motion may change meanwhile.
 class TickLoads {
 public:
-    TickLoads(const World& world, const State& state, std::size_t index, const TickEnvironment& environment);
+    /// `actuators`: as they stand in this tick.
+    TickLoads(const World& world, const State& state, std::size_t index, const TickEnvironment& environment,
+              const Actuators& actuators);
 
     /// Rate of her motion: with these loads, and with what is held held.
     ShipMotion rate(const ShipMotion& m, const Actuators& actuators) const;
     const Obstacles& obstacles() const { return m_obstacles; }
 
     Load wind() const { return m_wind; }
+    /// What ground, banks, passing ships and the change of the current from place to place do to the hull.
+    Load confined() const { return m_confined; }
+    NorthEast current() const { return m_current; }
     Load anchors(const ShipMotion& m) const;
     Load lines(const ShipMotion& m) const;
     Load contact(const ShipMotion& m) const;  ///< with quays, ships and the ground
@@ -42,7 +47,8 @@ private:
     NorthEast m_current;
     WaveEffect m_waves;
     Load m_wind;
-    Load m_slow;  ///< wind and anchors
+    Load m_confined;
+    Load m_slow;  ///< wind, anchors and what the place does
     Obstacles m_obstacles;
     bool m_nearGround;
 };

@@ -23,11 +23,18 @@ WaveSystem mixed(const WaveSystem& a, const WaveSystem& b, double f) {
             mix(a.spreading, b.spreading, f)};
 }
 
-void raise(WeatherState& state, const WaveTable& waves) {
+void raise(WeatherState& state, const WaveTable& waves, std::span<const SeaSystem> ownSea) {
     const Weather& now = state.now;
     state.sea.systems.clear();
-    if (const auto wind = windSea(now.wind.speed_mps, now.wind.windFrom_rad, now.exposure))
+    auto wind = windSea(now.wind.speed_mps, now.wind.windFrom_rad, now.exposure);
+    if (wind && now.windSea > 0.0) {
+        wind->significantHeight_m *= now.windSea;
         state.sea.systems.push_back(*wind);
+    }
+    for (SeaSystem system : ownSea) {
+        system.significantHeight_m *= now.ownSea;
+        if (system.significantHeight_m > 0.0) state.sea.systems.push_back(system);
+    }
     for (const WaveSystem& swell : now.swells) {
         if (swell.significantHeight_m > 0.0) state.sea.systems.push_back(swell);
     }
@@ -40,6 +47,7 @@ Weather scaled(const Weather& base, const LevelPreset& level) {
     Weather w = base;
     w.wind.speed_mps *= level.windFactor;
     for (WaveSystem& swell : w.swells) swell.significantHeight_m *= level.seaFactor;
+    w.ownSea *= level.seaFactor;
     w.visibility_m *= level.visibilityFactor;
     return w;
 }
@@ -58,14 +66,17 @@ Weather mixed(const Weather& from, const Weather& to, double fraction) {
     w.current = from.current + f * (to.current - from.current);
     w.visibility_m = mix(from.visibility_m, to.visibility_m, f);
     w.rain = mix(from.rain, to.rain, f);
+    w.windSea = mix(from.windSea, to.windSea, f);
+    w.ownSea = mix(from.ownSea, to.ownSea, f);
     return w;
 }
 
-WeatherState startWeather(const Weather& base, const LevelPreset& level, const WaveTable& waves) {
+WeatherState startWeather(const Weather& base, const LevelPreset& level, const WaveTable& waves,
+                          std::span<const SeaSystem> ownSea) {
     WeatherState state;
     state.base = base;
     state.from = state.to = state.now = scaled(base, level);
-    raise(state, waves);
+    raise(state, waves, ownSea);
     return state;
 }
 
@@ -78,14 +89,15 @@ void changeWeather(WeatherState& state, const Weather& base, const LevelPreset& 
     state.rampTo_tick = tick + std::max<std::int64_t>(1, static_cast<std::int64_t>(ramp_s * kTicksPerSecond));
 }
 
-void runWeather(WeatherState& state, const WaveTable& waves, std::int64_t tick) {
+void runWeather(WeatherState& state, const WaveTable& waves, std::int64_t tick,
+                std::span<const SeaSystem> ownSea) {
     const bool ended = tick == state.rampTo_tick;
     const bool running = tick > state.rampFrom_tick && tick < state.rampTo_tick;
     if (!ended && !(running && tick % kTicksPerSecond == 0)) return;
     const auto whole = static_cast<double>(state.rampTo_tick - state.rampFrom_tick);
     if (whole <= 0.0) return;
     state.now = mixed(state.from, state.to, static_cast<double>(tick - state.rampFrom_tick) / whole);
-    raise(state, waves);
+    raise(state, waves, ownSea);
 }
 
 }  // namespace sagara::core

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "core/sea/Beaufort.h"
 #include "core/sea/SeaState.h"
@@ -11,18 +12,22 @@ namespace sagara::core {
 
 inline constexpr std::size_t kMostSwells = 2;
 
-/// The weather of an exercise, as a trainer writes it. The wind sea follows from the wind.
+/// The weather of an exercise, as a trainer writes it. The wind sea follows from the wind, unless the
+/// scenario has a sea of its own; once a trainer orders wind, the sea follows it again.
 struct Weather {
     WindParameters wind;
     Exposure exposure = Exposure::Inshore;
     std::array<WaveSystem, kMostSwells> swells;  ///< height 0: none
     NorthEast current;                           ///< where it sets, m/s
     double visibility_m = 20'000.0;
-    double rain = 0.0;  ///< 0 none to 1 heavy
+    double rain = 0.0;     ///< 0 none to 1 heavy
+    double windSea = 1.0;  ///< factor on the height of the sea that follows from the wind
+    double ownSea = 0.0;   ///< factor on the height of the scenario's own sea (World::sea)
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.wind, self.exposure, self.swells, self.current, self.visibility_m, self.rain);
+        ar(self.wind, self.exposure, self.swells, self.current, self.visibility_m, self.rain, self.windSea,
+           self.ownSea);
     }
 };
 
@@ -56,11 +61,13 @@ Weather unscaled(const Weather& weather, const LevelPreset& level);
 Weather mixed(const Weather& from, const Weather& to, double fraction);
 
 /// Weather at the start, at once.
-WeatherState startWeather(const Weather& base, const LevelPreset& level, const WaveTable& waves);
+WeatherState startWeather(const Weather& base, const LevelPreset& level, const WaveTable& waves,
+                          std::span<const SeaSystem> ownSea = {});
 /// Begins a ramp from what is to `base` at this level.
 void changeWeather(WeatherState& state, const Weather& base, const LevelPreset& level, std::int64_t tick,
                    double ramp_s);
 /// Moves a running ramp on; the sea is raised anew once a second.
-void runWeather(WeatherState& state, const WaveTable& waves, std::int64_t tick);
+void runWeather(WeatherState& state, const WaveTable& waves, std::int64_t tick,
+                std::span<const SeaSystem> ownSea = {});
 
 }  // namespace sagara::core

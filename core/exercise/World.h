@@ -46,6 +46,10 @@ struct World {
     WaveTable waves;
     GustTable gusts;
     TidePrediction tide;
+    std::vector<HighWater> highWaters;  ///< where there are streams
+    Streams streams;                    ///< of the scenario, or else of the area
+    std::vector<SeaSystem> sea;         ///< the scenario's own; empty: the sea follows the wind
+    WindProfile windProfile = WindProfile::Uniform;
 
     std::string scenarioId;
     std::string scenarioName;

@@ -3,19 +3,24 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/motion/Isherwood.h"
 
 namespace sagara::core {
 
 WindCoefficients windCoefficients(const Windage& windage, double lengthOverall_m, double fromBow_rad) {
     const BlendermannType& type = windage.type;
     const double g = std::abs(fromBow_rad), side = fromBow_rad < 0.0 ? -1.0 : 1.0;
+    const double meanHeight_m = windage.lateralArea_m2 / lengthOverall_m;
+    if (windage.isherwood) {
+        const IsherwoodCoefficients c = isherwood(windage, lengthOverall_m, fromBow_rad);
+        return {c.Cx, side * c.Cy, side * c.Cy * windage.centroidHeight_m / meanHeight_m, side * c.Cn};
+    }
     const double longitudinal =
         std::abs(g) <= kPi / 2 ? type.longitudinalDragBow : type.longitudinalDragStern;
     const double lateralAreaRatio = windage.frontalArea_m2 / windage.lateralArea_m2;
     const double ratio = longitudinal * lateralAreaRatio / type.transverseDrag;
     const double sin2g = std::sin(2.0 * g);
     const double denominator = 1.0 - 0.5 * type.crossForce * (1.0 - ratio) * sin2g * sin2g;
-    const double meanHeight_m = windage.lateralArea_m2 / lengthOverall_m;
     const double CY = type.transverseDrag * std::sin(g) / denominator;
     return {.CX = -longitudinal * std::cos(g) / denominator,
             .CY = side * CY,

@@ -7,8 +7,9 @@
 
 namespace sagara::core {
 
-/// Blendermann (1994) coefficients for a wind `fromBow_rad` off the bow, 0 ahead, positive when it comes from
-/// port, so that CY, CK and CN are positive for a wind that pushes to starboard.
+/// Coefficients for a wind `fromBow_rad` off the bow, 0 ahead, positive when it comes from port, so that CY,
+/// CK and CN are positive for a wind that pushes to starboard. Blendermann (1994), or Isherwood (1972) where
+/// the vessel has his particulars; he gives no heel: his side force acts at the centroid of the lateral area.
 struct WindCoefficients {
     double CX, CY, CK, CN;
 };

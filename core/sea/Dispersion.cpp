@@ -8,6 +8,11 @@ double angularFrequency_radps(double waveNumber_radpm, double depth_m, double gr
     return std::sqrt(gravity_mps2 * waveNumber_radpm * std::tanh(waveNumber_radpm * depth_m));
 }
 
+double encounterFrequency_radps(double omega_radps, double waveNumber_radpm, double speed_mps,
+                                double relativeHeading_rad) {
+    return omega_radps - waveNumber_radpm * speed_mps * std::cos(relativeHeading_rad);
+}
+
 double groupSpeed_mps(double waveNumber_radpm, double depth_m, double gravity_mps2) {
     const double kh = waveNumber_radpm * depth_m;
     const double phaseSpeed_mps =

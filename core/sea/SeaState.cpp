@@ -10,7 +10,7 @@ namespace sagara::core {
 
 void raiseSea(const WaveTable& table, SeaState& sea) {
     std::vector<double> energy_m2(table.components().size(), 0.0);
-    for (const WaveSystem& system : sea.systems) table.addEnergy(system, energy_m2);
+    for (const SeaSystem& system : sea.systems) table.addEnergy(system, energy_m2);
     const double total_m2 = std::accumulate(energy_m2.begin(), energy_m2.end(), 0.0);
 
     std::vector<std::uint16_t> order(energy_m2.size());
@@ -21,7 +21,7 @@ void raiseSea(const WaveTable& table, SeaState& sea) {
     while (kept < std::min(order.size(), kMostActiveComponents) && kept_m2 < kActiveEnergyShare * total_m2) {
         kept_m2 += energy_m2[order[kept++]];
     }
-    const double raise = kept > 0 ? total_m2 / kept_m2 : 0.0;
+    const double raise = kept_m2 > 0.0 ? total_m2 / kept_m2 : 0.0;
     sea.active.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept));
     sea.amplitude_m.clear();
     for (const std::uint16_t i : sea.active) sea.amplitude_m.push_back(std::sqrt(2.0 * energy_m2[i] * raise));
@@ -54,7 +54,7 @@ SeaSurface::SeaSurface(const WaveTable& table, const SeaState& sea) {
         m_waves.push_back({table.components()[sea.active[i]], sea.amplitude_m[i]});
     }
     std::vector<double> energy_m2(table.shortComponents().size(), 0.0);
-    for (const WaveSystem& system : sea.systems) table.addShortEnergy(system, energy_m2);
+    for (const SeaSystem& system : sea.systems) table.addShortEnergy(system, energy_m2);
     for (std::size_t i = 0; i < energy_m2.size(); ++i) {
         if (energy_m2[i] > 0.0)
             m_waves.push_back({table.shortComponents()[i], std::sqrt(2.0 * energy_m2[i])});

@@ -12,7 +12,7 @@ namespace sagara::core {
 /// The sea of one moment: which systems run and, worked out from them, the strongest components. Part of
 /// State; made anew by `raiseSea` when the weather changes, never patched.
 struct SeaState {
-    std::vector<WaveSystem> systems;
+    std::vector<SeaSystem> systems;
     std::vector<std::uint16_t> active;  ///< indices into WaveTable::components(), strongest first
     std::vector<double> amplitude_m;    ///< of the active components, same order
 

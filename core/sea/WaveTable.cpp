@@ -1,5 +1,6 @@
 #include "core/sea/WaveTable.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -81,7 +82,9 @@ void WaveTable::addLongCell(std::size_t ring, std::size_t direction, Random& ran
     m_cellComponent.push_back(static_cast<std::uint16_t>(index));
 }
 
-std::vector<double> WaveTable::ringShares(const WaveSystem& system) const {
+std::vector<double> WaveTable::ringShares(const SeaSystem& system) const {
+    SeaSystem unit = system;
+    unit.significantHeight_m = 1.0;
     std::vector<double> shares;
     double total = 0.0;
     for (const Ring& ring : m_rings) {
@@ -90,23 +93,23 @@ std::vector<double> WaveTable::ringShares(const WaveSystem& system) const {
             (angularFrequency_radps(ring.high_radpm, m_depth_m, kGravity_mps2) - from) / kSamplesPerRing;
         double energy = 0.0;
         for (int i = 0; i < kSamplesPerRing; ++i) {
-            energy += step * jonswap_m2s(from + (i + 0.5) * step, 1.0, system.peakPeriod_s, system.gamma);
+            energy += step * spectrum_m2s(unit, from + (i + 0.5) * step);
         }
         shares.push_back(energy);
         total += energy;
     }
-    assert(total > 0.0);
+    if (total == 0.0) return shares;  // a band of a measured sea that is too long for any lattice
     for (double& share : shares) share /= total;
     return shares;
 }
 
-void WaveTable::addEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const {
+void WaveTable::addEnergy(const SeaSystem& system, std::vector<double>& energy_m2) const {
     assert(energy_m2.size() == m_long.size());
     std::array<double, kDirections> direction{};
     double sum = 0.0;
     for (std::size_t j = 0; j < kDirections; ++j) {
-        direction[j] = spreading_perRad(static_cast<double>(j) * kTwoPi / kDirections - system.wavesTo_rad,
-                                        system.spreading);
+        direction[j] =
+            spreading_perRad(system, static_cast<double>(j) * kTwoPi / kDirections - system.wavesTo_rad);
         sum += direction[j];
     }
     const double total_m2 = system.significantHeight_m * system.significantHeight_m / 16.0;
@@ -117,13 +120,16 @@ void WaveTable::addEnergy(const WaveSystem& system, std::vector<double>& energy_
     }
 }
 
-void WaveTable::addShortEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const {
+void WaveTable::addShortEnergy(const SeaSystem& system, std::vector<double>& energy_m2) const {
     assert(energy_m2.size() == m_short.size());
     const std::vector<double> ring = ringShares(system);
+    if (std::all_of(ring.begin() + static_cast<std::ptrdiff_t>(m_longRings), ring.end(),
+                    [](double share) { return share == 0.0; }))
+        return;
     std::vector<double> weight(m_short.size()), ringWeight(m_rings.size(), 0.0);
     for (std::size_t i = 0; i < m_short.size(); ++i) {
         const double theta_rad = std::atan2(m_short[i].kEast_radpm, m_short[i].kNorth_radpm);
-        weight[i] = spreading_perRad(theta_rad - system.wavesTo_rad, system.spreading);
+        weight[i] = spreading_perRad(system, theta_rad - system.wavesTo_rad);
         ringWeight[m_shortRing[i]] += weight[i];
     }
     const double total_m2 = system.significantHeight_m * system.significantHeight_m / 16.0;

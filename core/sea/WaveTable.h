@@ -58,9 +58,9 @@ public:
     /// Energy (half the squared amplitude, m^2) of every long component in a sea of these systems, added to
     /// `energy_m2`, which has components().size() entries. The energies of long and short components together
     /// are Hs^2 / 16.
-    void addEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const;
+    void addEnergy(const SeaSystem& system, std::vector<double>& energy_m2) const;
     /// The same for the short band.
-    void addShortEnergy(const WaveSystem& system, std::vector<double>& energy_m2) const;
+    void addShortEnergy(const SeaSystem& system, std::vector<double>& energy_m2) const;
 
 private:
     explicit WaveTable(double depth_m) : m_depth_m(depth_m) {}
@@ -71,7 +71,7 @@ private:
         std::uint8_t band;
     };
     /// Share of the system's energy in each ring, short rings included; sums to 1.
-    std::vector<double> ringShares(const WaveSystem& system) const;
+    std::vector<double> ringShares(const SeaSystem& system) const;
     void addLongCell(std::size_t ring, std::size_t direction, class Random& random);
 
     double m_depth_m;

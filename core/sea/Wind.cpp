@@ -13,15 +13,16 @@ namespace {
 constexpr std::size_t kSlow = 8;  // harmonics that also turn the wind
 constexpr double kDirectionPerGustiness_rad = 8.0 * kDegree_rad / 0.15;
 
-/// Davenport (1961): f S(f) / sigma^2, up to a constant, with X = 1200 m f / V10.
-double davenport(double frequency_Hz) {
+/// f S(f) at 10 m/s, up to a constant. Davenport's without his constants: recorded exercises know these bits.
+double energyPerStep(GustSpectrum spectrum, double frequency_Hz) {
+    if (spectrum != GustSpectrum::Davenport) return frequency_Hz * gustDensity(spectrum, frequency_Hz, 10.0);
     const double x = 1200.0 * frequency_Hz / 10.0;
     return x * x / std::pow(1.0 + x * x, 4.0 / 3.0);
 }
 
 }  // namespace
 
-GustTable::GustTable(std::uint64_t seed) : m_harmonics() {
+GustTable::GustTable(std::uint64_t seed, GustSpectrum spectrum) : m_harmonics() {
     Random random(seed ^ 0x77696e6400000000ULL);
     const double first_Hz = 1.0 / 300.0, last_Hz = 1.0 / 4.0;
     double variance = 0.0;
@@ -29,7 +30,8 @@ GustTable::GustTable(std::uint64_t seed) : m_harmonics() {
         const double place =
             (static_cast<double>(i) + random.uniform()) / kHarmonics;  // jitter: no repetition
         const double frequency_Hz = first_Hz * std::pow(last_Hz / first_Hz, place);
-        const double energy = davenport(frequency_Hz);  // equal steps of ln f: energy per step is f S(f)
+        const double energy =
+            energyPerStep(spectrum, frequency_Hz);  // equal steps of ln f: energy per step is f S(f)
         m_harmonics[i] = {kTwoPi * frequency_Hz, std::sqrt(2.0 * energy), kTwoPi * random.uniform(),
                           kTwoPi * random.uniform()};
         variance += energy;

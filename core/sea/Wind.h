@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/SimTime.h"
+#include "core/sea/WindSpectrum.h"
 
 namespace sagara::core {
 
@@ -26,12 +27,12 @@ struct WindVelocity {
     double windFrom_rad = 0.0;
 };
 
-/// Gusts as a sum of harmonics with seeded phases: a pure function of time, so no memory in State. Shape:
-/// Davenport (1961) at 10 m/s, 24 harmonics from 300 s to 4 s; direction wanders with the slow third of them,
-/// 8 deg rms for gustiness 0.15.
+/// Gusts as a sum of harmonics with seeded phases: a pure function of time, so no memory in State. Shape: a
+/// published spectrum at 10 m/s, 24 harmonics from 300 s to 4 s; direction wanders with the slow third of
+/// them, 8 deg rms for gustiness 0.15.
 class GustTable {
 public:
-    explicit GustTable(std::uint64_t seed);
+    explicit GustTable(std::uint64_t seed, GustSpectrum spectrum = GustSpectrum::Davenport);
     WindVelocity at(const WindParameters& mean, SimTime time) const;
 
 private:

@@ -86,6 +86,8 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
         in.problem("steering.rudders", "is empty", "at least one rudder, or an azimuth drive");
     if (in.has("thrusters")) v.thrusters = readGroup(in, "thrusters", readThrusters);
     v.windage = readGroup(in, "windage", readWindage);
+    if (v.windage.isherwood) v.windage.isherwood->beam_m = v.hull.beam_m;
+    if (in.has("shallowWater")) v.shallow = readGroup(in, "shallowWater", readShallowWater);
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
     if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);

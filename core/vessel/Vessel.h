@@ -9,6 +9,7 @@
 #include "core/vessel/Hull.h"
 #include "core/vessel/Machinery.h"
 #include "core/vessel/Picture.h"
+#include "core/vessel/ShallowWater.h"
 #include "core/vessel/ShipModel.h"
 #include "core/vessel/Thrusters.h"
 #include "core/vessel/Windage.h"
@@ -32,6 +33,7 @@ struct Vessel {
     Steering steering;
     Thrusters thrusters;  ///< may have none
     Windage windage;
+    ShallowWater shallow;
     MooringGear mooring;
     GroundTackle groundTackle;
     std::optional<Picture> picture;  ///< none: drawn from her form

@@ -26,6 +26,26 @@ constexpr std::array<BlendermannType, 17> kTypes{{
     {"tender", 0.85, 0.55, 0.55, 0.65, 1.1},
 }};
 
+void readBlendermann(config::Reader& in, Windage& w) {
+    const std::string name = in.text("blendermannType");
+    if (const BlendermannType* type = findBlendermannType(name)) {
+        w.type = *type;
+    } else if (!name.empty()) {
+        std::string names;
+        for (const BlendermannType& row : kTypes)
+            names += (names.empty() ? "" : ", ") + std::string(row.name);
+        in.problem("blendermannType", "is \"" + name + "\"", "one of " + names);
+    }
+}
+
+IsherwoodParticulars readIsherwood(config::Reader& in) {
+    IsherwoodParticulars p;
+    p.perimeter_m = in.number("perimeter_m", {1.0, 3000.0, "m"});
+    p.superstructureLateralArea_m2 = in.number("superstructureLateralArea_m2", {0.0, 20000.0, "m2"});
+    p.mastGroups = in.integer("mastGroups", 0, 12);
+    return p;
+}
+
 }  // namespace
 
 const BlendermannType* findBlendermannType(std::string_view name) {
@@ -37,14 +57,11 @@ const BlendermannType* findBlendermannType(std::string_view name) {
 
 Windage readWindage(config::Reader& in) {
     Windage w;
-    const std::string name = in.text("blendermannType");
-    if (const BlendermannType* type = findBlendermannType(name)) {
-        w.type = *type;
-    } else if (!name.empty()) {
-        std::string names;
-        for (const BlendermannType& row : kTypes)
-            names += (names.empty() ? "" : ", ") + std::string(row.name);
-        in.problem("blendermannType", "is \"" + name + "\"", "one of " + names);
+    if (in.has("method") &&
+        in.choice<bool>("method", {{"blendermann1994", false}, {"isherwood1972", true}})) {
+        w.isherwood = readIsherwood(in);
+    } else {
+        readBlendermann(in, w);
     }
     w.frontalArea_m2 = in.number("frontalArea_m2", {0.5, 5000.0, "m2"});
     w.lateralArea_m2 = in.number("lateralArea_m2", {1.0, 20000.0, "m2"});

@@ -13,6 +13,7 @@
 #include "core/base/Shapes.h"
 #include "core/sea/Tide.h"
 #include "core/world/Shore.h"
+#include "core/world/Streams.h"
 
 namespace sagara::core {
 
@@ -97,9 +98,11 @@ public:
     std::string depthDatum;     ///< "LAT"
     std::string depthSource;    ///< "modelled: ..." or the survey
     double waveDepth_m = 0.0;   ///< for the dispersion of all waves here
+    bool shoaling = false;      ///< waves shoal and break by the depth (core/sea/Nearshore.h)
     double holdingRatio = 1.0;  ///< of the ground, over the good ground anchors are rated in
     double meanTideLevel_m = 0.0;
     std::vector<TidalConstituent> tide;
+    Streams streams;
     std::vector<std::vector<NorthEast>> land;  ///< closed rings, clockwise
     std::vector<std::vector<NorthEast>>
         context;  ///< coarser rings farther out, for the picture and the radar

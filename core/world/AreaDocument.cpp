@@ -17,6 +17,7 @@ public:
         Area a;
         readIdentity(a);
         readTide(a);
+        readStreamsOf(a);
         a.land = readRings("land");
         a.context = readRings("context");
         a.shore = Shore(readShore(), a.land);
@@ -46,6 +47,7 @@ private:
         a.depthDatum = m_in.text("depthDatum");
         a.depthSource = m_in.text("depthSource");
         a.waveDepth_m = m_in.number("waveDepth_m", {1.0, 12000.0, "m"});
+        a.shoaling = m_in.flagOr("shoaling", false);
         a.holdingRatio = m_in.number("holdingRatio", {0.05, 2.0, ""});
     }
 
@@ -67,6 +69,14 @@ private:
             a.tide.push_back(c);
         }
         tide.rejectUnknownKeys();
+    }
+
+    void readStreamsOf(Area& a) {
+        if (!m_in.has("streams")) return;
+        config::Reader in(m_in.child("streams"));
+        a.streams = readStreams(in, m_frame);
+        if (a.streams.isTidal() && a.tide.empty())
+            m_in.problem("tide", "is missing", "constituents: streams by the hour need a high water");
     }
 
     std::vector<NorthEast> local(const std::vector<GeoPoint>& points) const {

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/motion/Squat.h"
-
 namespace sagara::core {
 namespace {
 
@@ -16,11 +14,14 @@ double clearanceAt(const Area& area, const Keel& keel, const ShipMotion& m, cons
 
 }  // namespace
 
-Keel keelOf(const Hull& hull, double heaveStiffness_Npm) {
+Keel keelOf(const Hull& hull, double heaveStiffness_Npm, SquatFormula formula) {
     const double x = 0.45 * hull.lengthBp_m, y = 0.3 * hull.beam_m;
     const std::array<BodyPoint, 6> points{
         {{x, 0.0}, {0.5 * x, y}, {0.5 * x, -y}, {-0.5 * x, y}, {-0.5 * x, -y}, {-x, 0.0}}};
-    return {points, hull.draught_m, hull.blockCoefficient(),
+    return {points,
+            hull.draught_m,
+            {hull.lengthBp_m, hull.beam_m, hull.draught_m, hull.blockCoefficient()},
+            formula,
             heaveStiffness_Npm / static_cast<double>(points.size())};
 }
 
@@ -32,7 +33,8 @@ UnderKeel underKeel(const Area& area, const Keel& keel, const ShipMotion& m, dou
         if (clearance_m < least.clearance_m) least = {clearance_m, p};
     }
     const double depth_m = least.clearance_m + keel.draught_m;
-    least.clearance_m -= squat_m(keel.block, std::hypot(m.surge_mps, m.sway_mps), depth_m, keel.draught_m);
+    least.clearance_m -=
+        squatUnderWay_m(keel.formula, keel.squat, std::hypot(m.surge_mps, m.sway_mps), depth_m);
     return least;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/motion/Load.h"
 #include "core/motion/ShipMotion.h"
+#include "core/motion/Squat.h"
 #include "core/vessel/Hull.h"
 #include "core/world/Area.h"
 
@@ -13,10 +14,11 @@ namespace sagara::core {
 struct Keel {
     std::array<BodyPoint, 6> points;
     double draught_m = 0.0;
-    double block = 0.0;
+    SquatHull squat;
+    SquatFormula formula = SquatFormula::BarrassSimple;
     double stiffness_Npm = 0.0;  ///< of one point: the waterplane's, shared out
 };
-Keel keelOf(const Hull& hull, double heaveStiffness_Npm);
+Keel keelOf(const Hull& hull, double heaveStiffness_Npm, SquatFormula formula = SquatFormula::BarrassSimple);
 
 /// Water under the keel where it is least: depth + tide - draught - squat, with heave, roll and pitch as they
 /// are. Negative when she has run into the ground. `tide_m` above chart datum.

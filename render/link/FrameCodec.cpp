@@ -164,6 +164,20 @@ core::WaveSystem read(const wire::WaveSystem& w, Check& check) {
             check.between(w.spreading(), 0.0, 1000.0, "sea.spreading")};
 }
 
+void write(const core::SeaSystem& s, wire::WaveSystem& w) {
+    write(static_cast<const core::WaveSystem&>(s), w);
+    w.set_family(static_cast<std::uint32_t>(s.family));
+    w.set_law(static_cast<std::uint32_t>(s.law));
+    w.set_form(s.form);
+}
+core::SeaSystem readSea(const wire::WaveSystem& w, Check& check) {
+    core::SeaSystem s(read(w, check));
+    s.family = check.choice(w.family(), core::SpectrumFamily::Band, "sea.family");
+    s.law = check.choice(w.law(), core::SpreadingLaw::CosN, "sea.law");
+    if (s.family != core::SpectrumFamily::Jonswap) s.form = check.between(w.form(), 1e-3, 20.0, "sea.form");
+    return s;
+}
+
 void write(const core::Weather& s, wire::Weather& w) {
     w.set_wind_mps(s.wind.speed_mps);
     w.set_wind_from_rad(s.wind.windFrom_rad);
@@ -202,7 +216,7 @@ Kind write(const Frame& frame, wire::Frame& w) {
     write(s.weather, *w.mutable_weather());
     w.set_wind_mps(s.wind.speed_mps);
     w.set_wind_from_rad(s.wind.windFrom_rad);
-    for (const core::WaveSystem& system : s.sea.systems) write(system, *w.add_sea());
+    for (const core::SeaSystem& system : s.sea.systems) write(system, *w.add_sea());
     w.set_tide_m(s.tide_m);
     return Kind::Frame;
 }
@@ -228,7 +242,7 @@ Frame read(const wire::Frame& w, Check& check) {
     s.wind = {check.between(w.wind_mps(), 0.0, 500.0, "wind_mps"),
               check.number(w.wind_from_rad(), "windFrom_rad")};
     for (int i = 0; i < check.count(w.sea_size(), kMostSeaSystems, "wave systems"); ++i)
-        s.sea.systems.push_back(read(w.sea(i), check));
+        s.sea.systems.push_back(readSea(w.sea(i), check));
     s.tide_m = check.number(w.tide_m(), "tide_m");
     return frame;
 }

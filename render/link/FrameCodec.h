@@ -14,6 +14,6 @@ Kind write(const Frame& frame, wire::Frame& wire);
 Frame read(const wire::Frame& wire, Check& check);
 
 /// More than an exercise has, like kMostShips and kMostTargets.
-inline constexpr std::size_t kMostSeaSystems = 8;
+inline constexpr std::size_t kMostSeaSystems = 64;
 
 }  // namespace sagara::link

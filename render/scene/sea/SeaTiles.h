@@ -54,7 +54,7 @@ private:
     void raise(const core::SeaState& sea);
 
     const core::WaveTable& m_table;
-    std::vector<core::WaveSystem> m_systems;
+    std::vector<core::SeaSystem> m_systems;
     std::size_t m_activeCount = 0;
     double m_accelerationRms_mps2 = 0.0;
     std::array<SeaTile, core::kWaveBands.size()> m_tiles;

@@ -21,7 +21,7 @@ void expectTheWhole(const World& world, const State& state, std::size_t index) {
     actuators.rudder_rad = s.steering.angle_rad;
     for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = s.shafts[i].speed_rps;
     const TickEnvironment environment(world, state);
-    const TickLoads loads(world, state, index, environment);
+    const TickLoads loads(world, state, index, environment, actuators);
     const Load total = ship.dynamics.forceFor(s.motion, loads.rate(s.motion, actuators), loads.depth_m());
 
     const ShipForces forces = forcesOn(world, state, index);

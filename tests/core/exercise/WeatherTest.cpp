@@ -40,7 +40,7 @@ TEST(Weather, TheSeaFollowsTheWindAsBeaufortSays) {
     const WaveTable waves(1, 20.0);
     const WeatherState state = startWeather(breeze(), {}, waves);
     ASSERT_EQ(state.sea.systems.size(), 2u);
-    EXPECT_EQ(state.sea.systems[0], *windSea(5.0, 350.0 * kDegree_rad, Exposure::Inshore));
+    EXPECT_EQ(state.sea.systems[0], SeaSystem(*windSea(5.0, 350.0 * kDegree_rad, Exposure::Inshore)));
     Weather calm;
     EXPECT_TRUE(startWeather(calm, {}, waves).sea.systems.empty());  // Beaufort 0: no waves
 }

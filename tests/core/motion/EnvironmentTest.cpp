@@ -13,7 +13,7 @@ namespace sagara::core {
 namespace {
 
 Windage windageOf(const test::Row& row) {
-    return {*findBlendermannType(row.text("type")), row["AF"], row["AL"], row["sL"], row["sH"], {}};
+    return {*findBlendermannType(row.text("type")), row["AF"], row["AL"], row["sL"], row["sH"], {}, {}};
 }
 
 TEST(Blendermann, CoefficientsAgreeWithTheReferenceTable) {
@@ -25,6 +25,30 @@ TEST(Blendermann, CoefficientsAgreeWithTheReferenceTable) {
         EXPECT_NEAR(c.CY, row["CY"], 1e-6);
         EXPECT_NEAR(c.CK, row["CK"], 1e-6 * std::max(std::abs(row["CK"]), 1.0));
         EXPECT_NEAR(c.CN, row["CN"], 1e-6);
+    }
+}
+
+TEST(Isherwood, CoefficientsAndForcesAgreeWithTheReferenceTable) {
+    for (const test::Row& row : test::readReference("environment/isherwood1972_check.csv")) {
+        Windage w;
+        w.frontalArea_m2 = row["AT"];
+        w.lateralArea_m2 = row["AL"];
+        w.centroidForward_m = 0.5 * row["L"] - row["C"];
+        w.isherwood = IsherwoodParticulars{row["S"], row["ASS"], static_cast<int>(row["M"]), row["B"]};
+        const double fromPort_rad = row["angle"] * kDegree_rad;
+        const WindCoefficients c = windCoefficients(w, row["L"], fromPort_rad);
+        const auto near = [](double value, double reference) {
+            EXPECT_NEAR(value, reference, 1e-4 * std::abs(reference) + 1e-9);  // 1e-4 of issue and file
+        };
+        near(c.CX, row["Cx"]);
+        near(c.CY, row["Cy"]);
+        near(c.CN, row["Cn"]);
+        // 15 m/s of apparent wind from starboard
+        const Load load =
+            apparentWindLoad(w, row["L"], {-15.0 * std::cos(fromPort_rad), -15.0 * std::sin(fromPort_rad)});
+        near(load.surge_N, 1000.0 * row["X_kN"]);
+        near(-load.sway_N, 1000.0 * row["Y_kN"]);
+        near(-load.yaw_Nm, 1000.0 * row["N_kNm"]);
     }
 }
 
@@ -96,9 +120,12 @@ TEST(Propeller, PushesTheRightWayInEveryQuadrant) {
 }
 
 TEST(Squat, IsBarrassInShallowWaterAndNothingInDeep) {
-    EXPECT_NEAR(squat_m(0.831, 5 * kKnot_mps, 26.08, 21.73), 0.20775,
-                1e-9);  // squat_check.csv, barrass_simple
-    EXPECT_EQ(squat_m(0.831, 5 * kKnot_mps, 80.0, 21.73), 0.0);
+    const SquatHull hull{325.0, 53.0, 21.73, 0.831};
+    const auto squat = [&](double depth_m) {
+        return squatUnderWay_m(SquatFormula::BarrassSimple, hull, 5 * kKnot_mps, depth_m);
+    };
+    EXPECT_NEAR(squat(26.08), 0.20775, 1e-9);  // squat_check.csv, barrass_simple
+    EXPECT_EQ(squat(80.0), 0.0);
 }
 
 }  // namespace

@@ -20,5 +20,14 @@ TEST(Dispersion, AgreesWithTheReferenceTable) {
     }
 }
 
+TEST(Dispersion, EncounterFrequencyAgreesWithTheReferenceTable) {
+    for (const test::Row& row : test::readReference("waves/encounter_check.csv")) {
+        const double k = waveNumber_radpm(row["w"], kDeep_m, kTableGravity_mps2);
+        EXPECT_NEAR(encounterFrequency_radps(row["w"], k, row["U"], row["heading_deg"] * kDegree_rad),
+                    row["we"],
+                    2e-9);  // the table has ten digits of w and of we
+    }
+}
+
 }  // namespace
 }  // namespace sagara::core

@@ -15,7 +15,7 @@
 namespace sagara::core {
 namespace {
 
-SeaState seaOf(const WaveTable& table, std::vector<WaveSystem> systems) {
+SeaState seaOf(const WaveTable& table, std::vector<SeaSystem> systems) {
     SeaState sea{std::move(systems), {}, {}};
     raiseSea(table, sea);
     return sea;

@@ -39,7 +39,10 @@ core::Snapshot busySnapshot(std::int64_t tick) {
     s.weather.visibility_m = 9000.0;
     s.weather.rain = 0.25;
     s.wind = {9.1, 0.85};
-    s.sea.systems = {{1.25, 6.5, 3.3, 3.9, 4.0}, {1.0, 12.0, 1.0, 0.7, 30.0}};
+    s.sea.systems = {core::WaveSystem{1.25, 6.5, 3.3, 3.9, 4.0}, core::WaveSystem{1.0, 12.0, 1.0, 0.7, 30.0}};
+    s.sea.systems[1].family = core::SpectrumFamily::OchiHubble;
+    s.sea.systems[1].law = core::SpreadingLaw::CosN;
+    s.sea.systems[1].form = 2.7;
     s.tide_m = 0.42;
     return s;
 }
