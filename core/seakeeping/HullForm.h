@@ -35,14 +35,6 @@ struct HullForm {
     /// stations are all that is known.
     std::vector<std::vector<SectionPoint>> offsets;
     std::vector<std::string> notes;  ///< what was estimated, and how
-
-    template <typename Archive, typename Self>
-    static void fields(Archive& ar, Self& self) {
-        ar(self.name, self.lengthBp_m, self.breadth_m, self.draught_m, self.freeboard_m,
-           self.waterDensity_kgpm3, self.mass_kg, self.gravityForward_m, self.gravityHeight_m,
-           self.rollGyradius_m, self.pitchGyradius_m, self.yawGyradius_m, self.addedRollDamping_Nms,
-           self.bilgeKeelLength_m, self.bilgeKeelBreadth_m, self.stations, self.offsets, self.notes);
-    }
 };
 
 /// Reads the schema of reference/seakeeping/*_hull.json: `length_pp_m`, `breadth_m`, `draught_m`, `stations`

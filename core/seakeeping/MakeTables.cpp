@@ -77,7 +77,29 @@ ViscousRoll fittedRoll(const IkedaShip& ship, const HullForm& form, double volum
 }  // namespace
 
 std::uint64_t tablesHash(const HullForm& form, const TableOptions& options) {
-    return archiveHash(form) ^ archiveHash(options) ^ (0x9e3779b97f4a7c15ULL * SeakeepingTables::kVersion);
+    std::vector<double> all{static_cast<double>(SeakeepingTables::kVersion),
+                            options.greatestFroude,
+                            options.transomTerms ? 1.0 : 0.0,
+                            form.lengthBp_m,
+                            form.breadth_m,
+                            form.draught_m,
+                            form.waterDensity_kgpm3,
+                            form.mass_kg,
+                            form.gravityForward_m,
+                            form.gravityHeight_m,
+                            form.rollGyradius_m,
+                            form.pitchGyradius_m,
+                            form.yawGyradius_m,
+                            form.addedRollDamping_Nms,
+                            form.bilgeKeelLength_m,
+                            form.bilgeKeelBreadth_m};
+    for (const HullStation& s : form.stations)
+        all.insert(all.end(), {s.x_m, s.breadth_m, s.draught_m, s.area_m2, s.centroid_m});
+    for (const std::vector<SectionPoint>& line : form.offsets) {
+        all.push_back(static_cast<double>(line.size()));
+        for (const SectionPoint& p : line) all.insert(all.end(), {p.y_m, p.z_m});
+    }
+    return archiveHash(all);
 }
 
 IkedaShip ikedaShipOf(const HullForm& form) {

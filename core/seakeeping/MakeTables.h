@@ -9,11 +9,6 @@ namespace sagara::core {
 struct TableOptions {
     double greatestFroude = 0.4;  ///< of the speeds, which go up in steps of 0.1 sqrt(g Lpp)
     bool transomTerms = true;     ///< the terms of the aftmost section at speed
-
-    template <typename Archive, typename Self>
-    static void fields(Archive& ar, Self& self) {
-        ar(self.greatestFroude, self.transomTerms);
-    }
 };
 
 /// Key of the cache: the same for the same hull, loading and options, and only then.

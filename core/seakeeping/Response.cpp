@@ -102,7 +102,8 @@ RollMode rollMode(const HullForm& form, double amplitude_rad) {
     MotionEquation equation{massMatrix(form), {}, restoringMatrix(form), 0.0};
     const double stiffness = equation.restoring(3, 3);
     RollMode mode;
-    mode.omega_radps = std::sqrt(std::max(stiffness, 0.0) / (1.2 * equation.mass(3, 3)));
+    if (stiffness <= 0.0) return mode;
+    mode.omega_radps = std::sqrt(stiffness / (1.2 * equation.mass(3, 3)));
     double inertia = 0.0;
     for (int i = 0; i < 8; ++i) {
         const double omega = mode.omega_radps;

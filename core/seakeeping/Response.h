@@ -46,7 +46,8 @@ private:
     Matrix6 m_restoring;
 };
 
-/// Free roll of the upright ship at zero speed, the other five motions going along.
+/// Free roll of the upright ship at zero speed, the other five motions going along. All nothing where she
+/// does not stand upright.
 struct RollMode {
     double omega_radps = 0.0;    ///< natural
     double potential_Nms = 0.0;  ///< damping by radiated waves about the axis she rolls about

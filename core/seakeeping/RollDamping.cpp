@@ -70,7 +70,7 @@ double wavePart(double CB, double CM, double BD, double x4, double frequency) {
     const std::array<double, 7> A3i{at(kA31, CB), at(kA32, CB), at(kA33, CB), at(kA34, CB),
                                     at(kA35, CB), at(kA36, CB), at(kA37, CB)};
     const double xx4 = x4 - at(kAA32, BD);
-    const double AA311 = at(kAA311Slope, CB) * BD + at(kAA311Constant, CB);
+    const double AA311 = at(kAA311Slope, CB) * x4 + at(kAA311Constant, CB);
     const double AA3 = at(kAA31, BD) * AA311 * (xx4 * at(kAA3, xx4) + at(kAA3Constant, BD));
     const double A3 = at(A3i, x4) + AA3;
     return A1 / frequency * std::exp(-at(kA2, x4) * std::pow(std::log(frequency) - A3, 2) / 1.44);
@@ -163,7 +163,7 @@ double viscousRollDamping_Nms(const IkedaShip& ship, double waterDensity_kgpm3, 
                         std::sqrt(s.breadth_m / (2.0 * kGravity_mps2));
     return unit * (std::max(at.friction, 0.0) * (1.0 + 4.1 * speed_mps / travel) +
                    std::max(at.eddy, 0.0) * share + std::max(at.bilgeKeel, 0.0)) +
-           liftDamping_Nms(s, waterDensity_kgpm3, speed_mps);
+           liftDamping_Nms(ship, waterDensity_kgpm3, speed_mps);
 }
 
 }  // namespace sagara::core

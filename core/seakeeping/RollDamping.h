@@ -34,7 +34,7 @@ IkedaDamping ikedaDamping(const IkedaShip& ship, double amplitude_rad, double om
 IkedaShip inRange(IkedaShip ship);
 
 /// Everything but the wave part, N m s, with forward speed: friction grows, eddies are washed away and the
-/// hull lifts (Himeno 1981, Univ. of Michigan 239; ITTC 7.5-02-07-04.5). Inputs are brought in range first.
+/// hull lifts (Himeno 1981, Univ. of Michigan 239; ITTC 7.5-02-07-04.5). The regression is asked `inRange`.
 double viscousRollDamping_Nms(const IkedaShip& ship, double waterDensity_kgpm3, double volume_m3,
                               double amplitude_rad, double omega_radps, double speed_mps);
 

@@ -9,11 +9,6 @@ namespace sagara::core {
 struct SectionPoint {
     double y_m = 0.0;
     double z_m = 0.0;
-
-    template <typename Archive, typename Self>
-    static void fields(Archive& ar, Self& self) {
-        ar(self.y_m, self.z_m);
-    }
 };
 
 /// One straight piece of the immersed half section y >= 0, and its normal, out of the hull.

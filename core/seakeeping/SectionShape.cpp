@@ -130,17 +130,17 @@ bool hasCentroid(const Line& line, const SectionData& d) {
 const char* nameOf(SectionFit fit) {
     switch (fit) {
         case SectionFit::Lewis:
-            return "Lewis form";
+            return "a Lewis form";
         case SectionFit::RoundedBox:
-            return "flat bottom, round bilge and wall side";
+            return "a flat bottom, round bilge and wall side";
         case SectionFit::Skeg:
-            return "upper hull over a skeg";
+            return "an upper hull over a skeg";
         case SectionFit::Bulb:
-            return "wedge over a bulb";
+            return "a wedge over a bulb";
         case SectionFit::Clamped:
             break;
     }
-    return "plain form, the centroid not met";
+    return "a plain form, the centroid not met";
 }
 
 std::vector<SectionPoint> resampled(const std::vector<SectionPoint>& line, int panels) {
@@ -188,7 +188,8 @@ std::optional<std::vector<SectionPoint>> lewisSection(const SectionData& d, int 
     nodes.back().z_m = 0.0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
         const bool inside = nodes[i].y_m > 0.0 && nodes[i].y_m < 1.01 * d.halfBreadth_m &&
-                            nodes[i].z_m >= -1.01 * d.draught_m && nodes[i].z_m > nodes[i - 1].z_m - 1e-9;
+                            nodes[i].z_m >= -1.01 * d.draught_m &&
+                            nodes[i].z_m > nodes[i - 1].z_m - 0.005 * d.draught_m;
         if (!inside) return std::nullopt;
     }
     return nodes;

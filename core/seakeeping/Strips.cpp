@@ -8,12 +8,22 @@
 namespace sagara::core {
 namespace {
 
-std::string fitNote(const Strip& strip) {
-    const auto number = [](double v) { return config::formatNumber(std::round(100.0 * v) / 100.0); };
-    std::string note = "station at " + number(strip.x_m) + " m: no Lewis form, " + nameOf(strip.fit);
-    const double off = strip.fitted.area_m2 / strip.stated.area_m2 - 1.0;
-    if (std::abs(off) > 0.02) note += ", area " + number(100.0 * off) + " % off";
-    return note;
+std::string number(double value) { return config::formatNumber(std::round(100.0 * value) / 100.0); }
+
+/// One line for each way of fitting, with its stations.
+void tellFits(const std::vector<Strip>& strips, std::vector<std::string>& notes) {
+    for (const SectionFit fit :
+         {SectionFit::RoundedBox, SectionFit::Skeg, SectionFit::Bulb, SectionFit::Clamped}) {
+        std::string places;
+        for (const Strip& strip : strips) {
+            if (strip.fit != fit || strip.panels.empty()) continue;
+            places += (places.empty() ? "" : ", ") + number(strip.x_m);
+            const double off = 100.0 * (strip.fitted.area_m2 / strip.stated.area_m2 - 1.0);
+            if (std::abs(off) > 2.0) places += " (area " + number(off) + " %)";
+        }
+        if (!places.empty())
+            notes.push_back(std::string("no Lewis form but ") + nameOf(fit) + " at x = " + places + " m");
+    }
 }
 
 }  // namespace
@@ -41,9 +51,9 @@ std::vector<Strip> stripsOf(const HullForm& form, std::vector<std::string>* note
             strip.panels = panelsOf(resampled(form.offsets[i], kPanels));
         }
         strip.fitted = areaOf(strip.panels);
-        if (notes && strip.fit != SectionFit::Lewis) notes->push_back(fitNote(strip));
         strips.push_back(strip);
     }
+    if (notes) tellFits(strips, *notes);
     return strips;
 }
 

@@ -14,11 +14,6 @@ struct HullStation {
     double draught_m = 0.0;   ///< keel of the section below the waterline
     double area_m2 = 0.0;     ///< immersed, both sides
     double centroid_m = 0.0;  ///< of the area above the baseline
-
-    template <typename Archive, typename Self>
-    static void fields(Archive& ar, Self& self) {
-        ar(self.x_m, self.breadth_m, self.draught_m, self.area_m2, self.centroid_m);
-    }
 };
 
 /// The optional member "stations"; none where it is absent. `length_m` overall and `beam_m` bound them.
