@@ -48,11 +48,12 @@ TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics
 
 }  // namespace
 
-OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves)
+OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
+                 std::string_view model)
     : id(std::move(shipId)),
       name(std::move(shipName)),
       vessel(std::move(shipVessel)),
-      dynamics(vessel, waves),
+      dynamics(vessel, waves, model),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
       advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),
@@ -65,6 +66,25 @@ void holdMotions(std::uint8_t free, ShipMotion& v) {
     if (!isFree(free, FreeMotion::Roll)) v.rollRate_radps = 0.0;
     if (!isFree(free, FreeMotion::Pitch)) v.pitchRate_radps = 0.0;
     if (!isFree(free, FreeMotion::Yaw)) v.yawRate_radps = 0.0;
+}
+
+Actuators actuatorsOf(const OwnShip& ship, const OwnShipState& state) {
+    Actuators actuators;
+    actuators.rudder_rad = state.steering.angle_rad;
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = state.shafts[i].speed_rps;
+    for (std::size_t i = 0; i < ship.thrusterCount(); ++i) actuators.thruster[i] = state.thrusters[i].share;
+    return actuators;
+}
+
+Actuators runMachinery(const OwnShip& ship, OwnShipState& state, double dt_s) {
+    const double rudder_rad = runSteeringGear(ship.vessel.steering, state.steering, dt_s);
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i)
+        runShaft(ship.vessel.propulsion.units[i], state.shafts[i], dt_s);
+    for (std::size_t i = 0; i < ship.thrusterCount(); ++i)
+        runThruster(ship.vessel.thrusters.units[i], state.thrusters[i], dt_s);
+    Actuators actuators = actuatorsOf(ship, state);
+    actuators.rudder_rad = rudder_rad;  // the mean of the tick
+    return actuators;
 }
 
 OwnShipState startOf(const OwnShip& ship) {

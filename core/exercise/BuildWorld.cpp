@@ -136,7 +136,12 @@ private:
                                      [&](const Vessel& v) { return v.id == vesselId; });
         if (it == m_vessels.end()) return;  // the missing document is reported where documents are collected
         if (!m_shipIds.insert(id).second) in.problem("id", "is \"" + id + "\" again", "each id once");
-        auto ship = std::make_unique<OwnShip>(id, name, *it, m_world->waves);
+        std::string model = in.textOr("model", "");
+        if (const auto known = it->model(model); !known) {
+            in.problem("model", "is \"" + model + "\"", known.error());
+            model.clear();
+        }
+        auto ship = std::make_unique<OwnShip>(id, name, *it, m_world->waves, model);
         if (in.has("berth")) {
             readBerth(in, *ship);
         } else {
@@ -251,9 +256,10 @@ OrderNames orderNames(const World& world) {
     OrderNames names;
     names.frame = world.area.frame;
     for (const auto& ship : world.ships) {
-        OrderNames::Ship s{ship->id, ship->lineIds, {}, {}};
+        OrderNames::Ship s{ship->id, ship->lineIds, {}, {}, {}};
         for (const PropulsionUnit& unit : ship->vessel.propulsion.units) s.shafts.push_back(unit.id);
         for (const AnchorGear& anchor : ship->vessel.groundTackle.anchors) s.anchors.push_back(anchor.id);
+        for (const Thruster& thruster : ship->vessel.thrusters.units) s.thrusters.push_back(thruster.id);
         names.ships.push_back(std::move(s));
     }
     for (const TargetLayout& target : world.targets) names.targets.push_back(target.id);

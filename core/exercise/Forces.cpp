@@ -7,12 +7,9 @@ namespace sagara::core {
 ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     const OwnShip& ship = *world.ships[index];
     const OwnShipState& s = state.ships[index];
-    Actuators actuators;
-    actuators.rudder_rad = s.steering.angle_rad;
-    for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = s.shafts[i].speed_rps;
     const TickEnvironment environment(world, state);
     const TickLoads loads(world, state, index, environment);
-    const HullForces own = ship.dynamics.hullForces(s.motion, actuators);
+    const HullForces own = ship.dynamics.hullForces(s.motion, actuatorsOf(ship, s), loads.depth_m());
 
     ShipForces forces;
     const auto set = [&](ForceCause cause, const Load& l) {
@@ -23,7 +20,7 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     set(ForceCause::Rudder, own.rudder);
     set(ForceCause::Propeller, own.propeller);
     set(ForceCause::Wind, loads.wind());
-    set(ForceCause::Waves, ship.dynamics.horizontalForce(loads.waves()));
+    set(ForceCause::Waves, ship.dynamics.horizontalForce(loads.waves(), loads.depth_m()));
     set(ForceCause::Lines, loads.lines(s.motion));
     set(ForceCause::Anchors, loads.anchors(s.motion));
     set(ForceCause::Contact, loads.contact(s.motion));

@@ -24,6 +24,7 @@ TickLoads::TickLoads(const World& world, const State& state, std::size_t index,
       m_index(index),
       m_ship(*world.ships[index]),
       m_tide_m(environment.tide_m),
+      m_depth_m(world.area.depth_m(state.ships[index].motion.position()) + environment.tide_m),
       m_current(state.weather.now.current),
       m_nearGround(state.ships[index].underKeel_m < kGroundNear_m) {
     const OwnShipState& s = state.ships[index];
@@ -78,7 +79,7 @@ ShipMotion TickLoads::rate(const ShipMotion& m, const Actuators& actuators) cons
     }
     if (!m_obstacles.empty()) load = load + contactLoad(m_obstacles, m_ship.hull, m, m_current);
     if (m_nearGround) load = load + groundLoad(m_world.area, m_ship.keel, m, m_tide_m, m_current);
-    ShipMotion rate = m_ship.dynamics.derivative(m, actuators, load, m_waves, m_current);
+    ShipMotion rate = m_ship.dynamics.derivative(m, actuators, load, m_waves, m_current, m_depth_m);
     if (s.freeMotions != kAllMotions) holdMotions(s.freeMotions, rate);
     return rate;
 }

@@ -28,6 +28,7 @@ public:
     Load lines(const ShipMotion& m) const;
     Load contact(const ShipMotion& m) const;  ///< with quays, ships and the ground
     const WaveEffect& waves() const { return m_waves; }
+    double depth_m() const { return m_depth_m; }  ///< of the water at midship
 
 private:
     void addShips();
@@ -37,6 +38,7 @@ private:
     std::size_t m_index;
     const OwnShip& m_ship;
     double m_tide_m;
+    double m_depth_m;
     NorthEast m_current;
     WaveEffect m_waves;
     Load m_wind;

@@ -1,5 +1,6 @@
 #include "core/identify/CrashStop.h"
 
+#include "core/base/Units.h"
 #include "core/identify/TrialShip.h"
 
 namespace sagara::core {
@@ -13,20 +14,27 @@ Trial runCrashStop(TrialShip& ship, const CrashStop& stop, const TrialOptions& o
     TrialRecord record(trial, options, approach, kLongest_lengths * length_m / approach.speed_mps);
     ship.begin(approach);
     ship.orderShafts(ship.vessel().propulsion.telegraph_rps[static_cast<std::size_t>(stop.order)]);
+    ship.orderRudder(stop.rudder_rad);
+    const auto note = [&](const char* name, double value) { trial.measures.push_back({name, value}); };
+    const auto backwards = [](const TrialShip& s) { return -s.motion().surge_mps; };
     double track_m = 0.0;
     bool stopped = false;
     while (record.goesOn(ship, 1.0 - ship.motion().surge_mps / approach.speed_mps) &&
            (options.duration_s || !stopped)) {
-        ship.step(options.step_s);
-        if (stopped) continue;
+        if (stopped) {
+            ship.step(options.step_s);
+            continue;
+        }
         track_m += options.step_s * ship.speed_mps();
-        if (ship.motion().surge_mps > 0.0) continue;
-        stopped = true;
-        const TrialSample now = ship.sample();
-        trial.measures.push_back({"track_reach_over_L", track_m / length_m});
-        trial.measures.push_back({"head_reach_over_L", now.x_m / length_m});
-        trial.measures.push_back({"side_reach_over_L", now.y_m / length_m});
-        trial.measures.push_back({"stopping_time_s", now.time_s});
+        ship.stepThrough(options.step_s, backwards, [&] {
+            stopped = true;
+            const TrialSample now = ship.sample();
+            note("track_reach_over_L", track_m / length_m);
+            note("head_reach_over_L", now.x_m / length_m);
+            note("side_reach_over_L", now.y_m / length_m);
+            note("stopping_time_s", now.time_s);
+            note("stopping_heading_deg", now.heading_rad / kDegree_rad);
+        });
     }
     record.finish(ship);
     return trial;

@@ -11,7 +11,7 @@
 namespace sagara::core {
 
 /// One moment. x along the approach course from where the order was given, y to its right; the rest as in
-/// ShipMotion. Midship, calm deep water.
+/// ShipMotion. Midship, calm water.
 struct TrialSample {
     double time_s = 0.0;
     double x_m = 0.0;
@@ -23,6 +23,8 @@ struct TrialSample {
     double roll_rad = 0.0;
     double rudder_rad = 0.0;
     double shaft_rps = 0.0;  ///< mean of the shafts
+    double heave_m = 0.0;    ///< downward
+    double pitch_rad = 0.0;
 };
 
 struct TrialMeasure {

@@ -7,72 +7,94 @@
 
 namespace sagara::core {
 
-TrialShip::TrialShip(const Vessel& vessel) : m_vessel(vessel), m_dynamics(m_vessel, m_calm) {}
+TrialShip::TrialShip(const Vessel& vessel, std::string_view model, double depth_m)
+    : m_vessel(vessel), m_dynamics(m_vessel, m_calm, model), m_depth_m(depth_m) {}
 
 void TrialShip::begin(const Approach& approach) {
-    m_motion = {};
-    m_motion.surge_mps = approach.speed_mps;
-    m_gear = {};
-    m_shafts = {};
-    m_time_s = 0.0;
-    for (ShaftState& shaft : m_shafts) shaft.order_rps = shaft.speed_rps = approach.shaft_rps;
+    m_state = {};
+    m_state.motion.surge_mps = approach.speed_mps;
+    for (ShaftState& shaft : m_state.shafts) shaft.order_rps = shaft.speed_rps = approach.shaft_rps;
 }
 
 void TrialShip::orderShafts(double speed_rps) {
-    for (ShaftState& shaft : m_shafts) shaft.order_rps = speed_rps;
+    for (ShaftState& shaft : m_state.shafts) shaft.order_rps = speed_rps;
+}
+
+ShipMotion TrialShip::rate(const ShipMotion& motion, const Actuators& actuators) const {
+    return m_dynamics.derivative(motion, actuators, {}, {}, {}, m_depth_m);
 }
 
 void TrialShip::step(double step_s) {
     Actuators actuators;
-    actuators.rudder_rad = runSteeringGear(m_vessel.steering, m_gear, step_s);
+    actuators.rudder_rad = runSteeringGear(m_vessel.steering, m_state.gear, step_s);
     for (std::size_t i = 0; i < m_vessel.propulsion.units.size(); ++i) {
-        runShaft(m_vessel.propulsion.units[i], m_shafts[i], step_s);
-        actuators.shaft_rps[i] = m_shafts[i].speed_rps;
+        runShaft(m_vessel.propulsion.units[i], m_state.shafts[i], step_s);
+        actuators.shaft_rps[i] = m_state.shafts[i].speed_rps;
     }
-    m_motion = rk4Step(m_motion, step_s,
-                       [&](const ShipMotion& m) { return m_dynamics.derivative(m, actuators, {}, {}, {}); });
-    m_time_s += step_s;
+    m_state.motion = rk4Step(m_state.motion, step_s, [&](const ShipMotion& m) { return rate(m, actuators); });
+    m_state.time_s += step_s;
 }
 
-double TrialShip::speed_mps() const { return std::hypot(m_motion.surge_mps, m_motion.sway_mps); }
+double TrialShip::speed_mps() const { return std::hypot(motion().surge_mps, motion().sway_mps); }
 
 bool TrialShip::finite() const {
-    const ShipMotion& m = m_motion;
+    const ShipMotion& m = motion();
     return std::isfinite(m.north_m + m.east_m + m.heading_rad + m.surge_mps + m.sway_mps + m.yawRate_radps +
                          m.roll_rad + m.rollRate_radps);
 }
 
 TrialSample TrialShip::sample() const {
-    const ShipMotion& m = m_motion;
+    const ShipMotion& m = motion();
     double shafts_rps = 0.0;
     const std::size_t count = m_vessel.propulsion.units.size();
-    for (std::size_t i = 0; i < count; ++i) shafts_rps += m_shafts[i].speed_rps;
-    return {m_time_s,         m.north_m,
-            m.east_m,         m.heading_rad,
-            m.surge_mps,      m.sway_mps,
-            m.yawRate_radps,  m.roll_rad,
-            m_gear.angle_rad, shafts_rps / static_cast<double>(std::max<std::size_t>(1, count))};
+    for (std::size_t i = 0; i < count; ++i) shafts_rps += m_state.shafts[i].speed_rps;
+    return {m_state.time_s,
+            m.north_m,
+            m.east_m,
+            m.heading_rad,
+            m.surge_mps,
+            m.sway_mps,
+            m.yawRate_radps,
+            m.roll_rad,
+            m_state.gear.angle_rad,
+            shafts_rps / static_cast<double>(std::max<std::size_t>(1, count)),
+            m.down_m,
+            m.pitch_rad};
 }
 
 Approach TrialShip::steadyAt(double shaft_rps) {
-    begin({m_motion.surge_mps, shaft_rps});
+    begin({m_state.motion.surge_mps, shaft_rps});
     constexpr double kStep_s = 0.25, kLongest_s = 7200.0;
-    double before_mps = m_motion.surge_mps - 1.0;
-    while (m_time_s < kLongest_s && std::abs(m_motion.surge_mps - before_mps) > 1e-6) {
-        before_mps = m_motion.surge_mps;
+    double before_mps = m_state.motion.surge_mps - 1.0;
+    while (m_state.time_s < kLongest_s && std::abs(m_state.motion.surge_mps - before_mps) > 1e-6) {
+        before_mps = m_state.motion.surge_mps;
         step(kStep_s);
     }
-    return {m_motion.surge_mps, shaft_rps};
+    return {m_state.motion.surge_mps, shaft_rps};
 }
 
 Approach TrialShip::holding(double speed_mps) {
-    // Speed is nearly proportional to shaft speed: three proportional corrections reach 1e-6.
-    Approach approach = fullAhead();
-    for (int i = 0; i < 6 && approach.speed_mps > 0.0; ++i) {
-        if (std::abs(approach.speed_mps / speed_mps - 1.0) < 1e-6) break;
-        approach = steadyAt(approach.shaft_rps * speed_mps / approach.speed_mps);
+    if (speed_mps == 0.0) return {};
+    ShipMotion straight;
+    straight.surge_mps = speed_mps;
+    const auto surplus = [&](double shaft_rps) {
+        Actuators actuators;
+        actuators.shaft_rps.fill(shaft_rps);
+        return rate(straight, actuators).surge_mps;
+    };
+    const double full_rps =
+        m_vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::FullAhead)];
+    constexpr int kRungs = 400;  // up to ten times full ahead: thrust need not grow steadily from 0
+    for (int i = 1; i <= kRungs; ++i) {
+        double low = 10.0 * full_rps * (i - 1) / kRungs, high = 10.0 * full_rps * i / kRungs;
+        if (surplus(low) >= 0.0 || surplus(high) < 0.0) continue;
+        for (int halvings = 0; halvings < 60; ++halvings) {
+            const double middle = 0.5 * (low + high);
+            (surplus(middle) < 0.0 ? low : high) = middle;
+        }
+        return {speed_mps, high};
     }
-    return {speed_mps, approach.shaft_rps};
+    return {speed_mps, full_rps};
 }
 
 Approach TrialShip::fullAhead() {

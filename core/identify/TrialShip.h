@@ -9,39 +9,80 @@
 
 namespace sagara::core {
 
-/// A vessel alone in calm deep water with her steering gear and engines, as an exercise moves her, without
+/// A vessel alone in calm water with her steering gear and engines, as an exercise moves her, without
 /// the exercise.
 class TrialShip {
 public:
-    explicit TrialShip(const Vessel& vessel);
+    /// `model`: see ShipDynamics.
+    explicit TrialShip(const Vessel& vessel, std::string_view model = {}, double depth_m = kDeepWater_m);
 
     /// Straight ahead at this speed from the origin, time zero.
     void begin(const Approach& approach);
-    void orderRudder(double angle_rad) { m_gear.order_rad = angle_rad; }
+    void displace(const ShipMotion& by) { m_state.motion = m_state.motion + by; }
+    void orderRudder(double angle_rad) { m_state.gear.order_rad = angle_rad; }
     void orderShafts(double speed_rps);
     void step(double step_s);
+    /// A step that is broken where `value(ship)` rises through zero, if it does, for `then()`: an order given
+    /// at a heading is given at that heading, not at the end of the step. Tells whether it was.
+    template <typename Value, typename Then>
+    bool stepThrough(double step_s, Value&& value, Then&& then);
+
+    /// All that changes in a run; taken back to by `restore`.
+    struct State {
+        ShipMotion motion;
+        SteeringGearState gear;
+        std::array<ShaftState, kMostShafts> shafts{};
+        double time_s = 0.0;
+    };
+    const State& state() const { return m_state; }
+    void restore(const State& state) { m_state = state; }
 
     const Vessel& vessel() const { return m_vessel; }
-    const ShipMotion& motion() const { return m_motion; }
+    const ShipDynamics& dynamics() const { return m_dynamics; }
+    double depth_m() const { return m_depth_m; }
+    const ShipMotion& motion() const { return m_state.motion; }
     double speed_mps() const;
     bool finite() const;
     TrialSample sample() const;
 
     /// Steady ahead at a shaft speed. The ship is left there.
     Approach steadyAt(double shaft_rps);
-    /// The shaft speed that holds a speed ahead, by the ship's own balance of thrust and resistance.
+    /// The shaft speed at which thrust balances resistance at a speed straight ahead, all shafts alike. Where
+    /// the model's thrust does not depend on the shafts: full ahead.
     Approach holding(double speed_mps);
     Approach fullAhead();
 
 private:
+    ShipMotion rate(const ShipMotion& motion, const Actuators& actuators) const;
+
     Vessel m_vessel;
     WaveTable m_calm{1, 1e6};
     ShipDynamics m_dynamics;
-    ShipMotion m_motion;
-    SteeringGearState m_gear;
-    std::array<ShaftState, kMostShafts> m_shafts{};
-    double m_time_s = 0.0;
+    double m_depth_m;
+    State m_state;
 };
+
+template <typename Value, typename Then>
+bool TrialShip::stepThrough(double step_s, Value&& value, Then&& then) {
+    const State before = m_state;
+    const double from = value(*this);
+    step(step_s);
+    const double to = value(*this);
+    if (from >= 0.0 || to < 0.0) return false;
+    double low = 0.0, high = 1.0, fromLow = from, toHigh = to, share = 1.0;
+    constexpr int kTimes = 4;  // of linear interpolation: the motion is nearly straight in a step
+    for (int i = 0; i < kTimes && high > low; ++i) {
+        share = low + (high - low) * fromLow / (fromLow - toHigh);
+        restore(before);
+        step(share * step_s);
+        const double here = value(*this);
+        (here < 0.0 ? low : high) = share;
+        (here < 0.0 ? fromLow : toHigh) = here;
+    }
+    then();
+    if (share < 1.0) step((1.0 - share) * step_s);
+    return true;
+}
 
 /// Keeps the record of a run: samples at even distances, the watcher told now and then, the end noted.
 class TrialRecord {

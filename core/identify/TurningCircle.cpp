@@ -41,6 +41,7 @@ Trial runTurningCircle(TrialShip& ship, const TurningCircle& turn, const TrialOp
 
     const double side = turn.rudder_rad < 0.0 ? -1.0 : 1.0;
     const auto note = [&](const char* name, double value) { trial.measures.push_back({name, value}); };
+    note("initial_U_ms", approach.speed_mps);
     SteadyMeans steady;
     double turned_rad = 0.0, farthest_m = 0.0, widest_m = 0.0, maxRoll_rad = 0.0, minRoll_rad = 0.0;
     while (record.goesOn(ship, turned_rad / turn.turn_rad) &&
@@ -61,10 +62,12 @@ Trial runTurningCircle(TrialShip& ship, const TurningCircle& turn, const TrialOp
             note("advance_over_L", at(0.5 * kPi, &TrialSample::x_m) / length_m);
             note("transfer_over_L", side * at(0.5 * kPi, &TrialSample::y_m) / length_m);
             note("t90_s", at(0.5 * kPi, &TrialSample::time_s));
+            note("U90_ms", ship.speed_mps());
         }
         if (passes(kPi) && !trial.measure("t180_s")) {
             note("tactical_diameter_over_L", side * at(kPi, &TrialSample::y_m) / length_m);
             note("t180_s", at(kPi, &TrialSample::time_s));
+            note("U180_ms", ship.speed_mps());
         }
         farthest_m = std::max(farthest_m, now.x_m);
         widest_m = std::max(widest_m, side * now.y_m);
@@ -83,10 +86,17 @@ Trial runTurningCircle(TrialShip& ship, const TurningCircle& turn, const TrialOp
         note("steady_r_dps", r_radps / kDegree_rad);
         note("steady_U_ms", U_mps);
         note("steady_speed_ratio", U_mps / approach.speed_mps);
-        note("steady_drift_deg", side * std::atan2(-steady.sway, steady.surge) / kDegree_rad);
+        const double drift_deg = std::atan2(-steady.sway, steady.surge) / kDegree_rad;
+        note("steady_drift_deg", side * drift_deg);
+        note("steady_beta_deg", drift_deg);
     }
+    const double roll_rad = ship.motion().roll_rad;
     note("max_roll_deg", maxRoll_rad / kDegree_rad);
     note("min_roll_deg", minRoll_rad / kDegree_rad);
+    note("final_roll_deg", roll_rad / kDegree_rad);
+    note("max_heel_to_port_deg", std::max(0.0, -minRoll_rad) / kDegree_rad);
+    note("max_heel_to_starboard_deg", std::max(0.0, maxRoll_rad) / kDegree_rad);
+    note("steady_heel_to_port_deg", -roll_rad / kDegree_rad);
     return trial;
 }
 

@@ -34,28 +34,34 @@ Trial runZigzag(TrialShip& ship, const Zigzag& zigzag, const TrialOptions& optio
     const double share = 1.0 / zigzag.executes;
     while (record.goesOn(ship, share * (execute - 1)) &&
            (options.duration_s || overshoots < zigzag.executes - 1)) {
-        ship.step(options.step_s);
         track_m += options.step_s * ship.speed_mps();
+        const auto past = [&](const TrialShip& s) {
+            return side * s.motion().heading_rad - zigzag.switch_rad;
+        };
+        const auto reverse = [&] {
+            ++execute;
+            const double time_s = ship.sample().time_s;
+            if (execute == 2) {
+                note("initial_turning_time_s", time_s);
+                note("initial_turning_over_L", track_m / length_m);
+            }
+            note("execute_" + std::to_string(execute) + "_time_s", time_s);
+            side = -side;
+            ship.orderRudder(side * zigzag.rudder_rad);
+        };
+        if (execute < zigzag.executes || options.duration_s)
+            ship.stepThrough(options.step_s, past, reverse);
+        else
+            ship.step(options.step_s);
         const TrialSample now = ship.sample();
         maxRoll_rad = std::max(maxRoll_rad, std::abs(now.roll_rad));
+        if (overshoots == execute - 1) continue;
         // Past the switch of the execute before, on its side.
-        const double past_rad = -side * now.heading_rad - zigzag.switch_rad;
-        if (overshoots < execute - 1) {
-            peak_rad = std::max(peak_rad, past_rad);
-            if (side * now.yawRate_radps > 0.0) {  // swings back
-                note("overshoot_" + std::to_string(++overshoots) + "_deg", peak_rad / kDegree_rad);
-                peak_rad = 0.0;
-            }
+        peak_rad = std::max(peak_rad, -side * now.heading_rad - zigzag.switch_rad);
+        if (side * now.yawRate_radps > 0.0) {  // swings back
+            note("overshoot_" + std::to_string(++overshoots) + "_deg", peak_rad / kDegree_rad);
+            peak_rad = 0.0;
         }
-        if (side * now.heading_rad < zigzag.switch_rad || execute == zigzag.executes) continue;
-        ++execute;
-        if (execute == 2) {
-            note("initial_turning_time_s", now.time_s);
-            note("initial_turning_over_L", track_m / length_m);
-        }
-        note("execute_" + std::to_string(execute) + "_time_s", now.time_s);
-        side = -side;
-        ship.orderRudder(side * zigzag.rudder_rad);
     }
     record.finish(ship);
     note("max_abs_roll_deg", maxRoll_rad / kDegree_rad);

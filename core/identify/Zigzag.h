@@ -16,7 +16,8 @@ struct Zigzag {
     double rudder_rad = 10.0 * kDegree_rad;
     double switch_rad = 10.0 * kDegree_rad;
     bool starboardFirst = true;
-    int executes = 5;  ///< the run ends when the overshoot of the last is over
+    /// The run ends when the overshoot of the last is over; a run of a given duration goes on reversing.
+    int executes = 5;
 };
 Trial runZigzag(TrialShip& ship, const Zigzag& zigzag, const TrialOptions& options = {});
 Trial runZigzag(const Vessel& vessel, const Zigzag& zigzag, const TrialOptions& options = {});

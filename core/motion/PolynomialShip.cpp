@@ -6,7 +6,6 @@
 
 #include "core/base/Units.h"
 #include "core/motion/CrossFlow.h"
-#include "core/motion/Propeller.h"
 
 namespace sagara::core {
 namespace {
@@ -27,7 +26,10 @@ double smoothStep(double from, double to, double x) {
 }  // namespace
 
 PolynomialShip::PolynomialShip(const PolynomialModel& model, const Vessel& vessel)
-    : m_model(model), m_hull(vessel.hull), m_propulsion(vessel.propulsion), m_steering(vessel.steering) {
+    : m_model(model),
+      m_hull(vessel.hull),
+      m_propellers(propellersOf(vessel.propulsion)),
+      m_steering(vessel.steering) {
     const PolynomialModel& k = m_model;
     Eigen::Matrix3d mass;
     mass << k.mass_kg - k.Yvdot, -(k.mass_kg * k.zG_m + k.Ypdot), k.mass_kg * k.xG_m - k.Yrdot,  //
@@ -66,24 +68,27 @@ Load PolynomialShip::hullLoad(const ShipMotion& m) const {
     return sum;
 }
 
-double PolynomialShip::thrust_N(std::size_t shaft, double shaft_rps, double surge_mps) const {
-    const PropulsionUnit& unit = m_propulsion.units[shaft];
+double PolynomialShip::thrust_N(std::size_t shaft, const Actuators& actuators, double surge_mps) const {
+    const Propeller& propeller = m_propellers[shaft];
+    const double shaft_rps = actuators.shaft_rps[shaft];
     const double ratio = shaft_rps / m_model.publishedShaft_rps;
     const double published_N =
-        m_model.publishedThrust_N / static_cast<double>(m_propulsion.units.size()) * ratio * ratio;
+        m_model.publishedThrust_N / static_cast<double>(m_propellers.size()) * ratio * ratio;
     const double share = shaft_rps >= 0.0 ? publishedShare(surge_mps) : 0.0;
     if (share == 1.0) return published_N;
-    const double open_N = (1.0 - unit.thrustDeduction) *
-                          openWaterThrust_N(unit, shaft_rps, surge_mps, m_hull.waterDensity_kgpm3);
+    const double open_N =
+        (1.0 - propeller.unit().thrustDeduction) *
+        propeller.behindHull(shaft_rps, actuators.pitch[shaft], surge_mps, m_hull.waterDensity_kgpm3)
+            .thrust_N;
     return share * published_N + (1.0 - share) * open_N;
 }
 
 Load PolynomialShip::propulsionLoad(const ShipMotion& m, const Actuators& actuators) const {
     Load sum;
-    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
-        const double thrust = thrust_N(i, actuators.shaft_rps[i], m.surge_mps);
+    for (std::size_t i = 0; i < m_propellers.size(); ++i) {
+        const double thrust = thrust_N(i, actuators, m.surge_mps);
         sum.surge_N += thrust;
-        sum.yaw_Nm -= m_propulsion.units[i].position.y_m * thrust;
+        sum.yaw_Nm -= m_propellers[i].unit().position.y_m * thrust;
     }
     return sum;
 }
@@ -101,15 +106,18 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
         if (published < 1.0) {
             // the propeller before this rudder: the one nearest to it across the ship
             std::size_t before = 0;
-            for (std::size_t i = 1; i < m_propulsion.units.size(); ++i) {
-                if (std::abs(m_propulsion.units[i].position.y_m - rudder.y_m) <
-                    std::abs(m_propulsion.units[before].position.y_m - rudder.y_m)) {
+            for (std::size_t i = 1; i < m_propellers.size(); ++i) {
+                if (std::abs(m_propellers[i].unit().position.y_m - rudder.y_m) <
+                    std::abs(m_propellers[before].unit().position.y_m - rudder.y_m)) {
                     before = i;
                 }
             }
-            const PropulsionUnit& unit = m_propulsion.units[before];
-            const double thrust = openWaterThrust_N(unit, actuators.shaft_rps[before], u, density);
-            inflow2 += (1.0 - published) * m_steering.raceShare * addedRaceSquared(unit, thrust, density);
+            const Propeller& propeller = m_propellers[before];
+            const double thrust =
+                propeller.behindHull(actuators.shaft_rps[before], actuators.pitch[before], u, density)
+                    .thrust_N;
+            inflow2 += (1.0 - published) * m_steering.raceShare *
+                       addedRaceSquared(propeller.unit(), thrust, density);
         }
         force_N += 0.5 * density * m_steering.areaEach_m2 * m_steering.liftSlope_perRad * angle_rad * inflow2;
     }
@@ -118,7 +126,7 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
             .yaw_Nm = m_model.rudderYawLever_m * force_N};
 }
 
-Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
+Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate, double /*depth_m*/) const {
     const PolynomialModel& k = m_model;
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
     Load f;
@@ -132,7 +140,7 @@ Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate) const
 }
 
 PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actuators& actuators,
-                                                const Load& external) const {
+                                                const Load& external, double /*depth_m*/) const {
     const PolynomialModel& k = m_model;
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
     const Load f = hullLoad(m) + propulsionLoad(m, actuators) + rudderLoad(m, actuators) + external;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/motion/Actuators.h"
 #include "core/motion/Load.h"
+#include "core/motion/Propeller.h"
 #include "core/motion/ShipMotion.h"
 #include "core/vessel/Vessel.h"
 
@@ -15,6 +17,7 @@ struct PlanarAcceleration {
     double sway_mps2 = 0.0;
     double roll_radps2 = 0.0;
     double yaw_radps2 = 0.0;
+    double heel_Nm = 0.0;  ///< of the forces in the plane, where the model does not own roll
 };
 
 /// A published polynomial set at work: M nu' = F as in Perez and Blanke (2002), with an extension that lets
@@ -28,8 +31,8 @@ class PolynomialShip {
 public:
     PolynomialShip(const PolynomialModel& model, const Vessel& vessel);
 
-    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators,
-                                    const Load& external) const;
+    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                                    double depth_m = kDeepWater_m) const;
 
     /// 1 where the published set holds, 0 where the extension has taken over.
     double publishedShare(double surge_mps) const;
@@ -37,18 +40,19 @@ public:
     Load hullLoad(const ShipMotion& m) const;
     Load propulsionLoad(const ShipMotion& m, const Actuators& actuators) const;
     Load rudderLoad(const ShipMotion& m, const Actuators& actuators) const;
-    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const {
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators, double /*depth_m*/) const {
         return {hullLoad(m), rudderLoad(m, actuators), propulsionLoad(m, actuators)};
     }
-    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;  ///< see ShipDynamics
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const;  ///< see ShipDynamics
+    bool ownsRoll() const { return true; }
     double swayAddedMass_kg() const { return -m_model.Yvdot; }
 
 private:
-    double thrust_N(std::size_t shaft, double shaft_rps, double surge_mps) const;
+    double thrust_N(std::size_t shaft, const Actuators& actuators, double surge_mps) const;
 
     PolynomialModel m_model;
     Hull m_hull;
-    Propulsion m_propulsion;
+    std::vector<Propeller> m_propellers;
     Steering m_steering;
     std::array<std::array<double, 3>, 3> m_inverseMass{};  ///< of sway, roll, yaw
 };

@@ -14,12 +14,13 @@ class SandaruwanShip {
 public:
     SandaruwanShip(const SandaruwanModel& model, const Vessel& vessel);
     /// roll_radps2 is 0: the model has no roll, see VerticalMotion.
-    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators,
-                                    const Load& external) const;
+    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                                    double depth_m = kDeepWater_m) const;
     /// Of yaw and sway the model knows only what they do: their forces are these accelerations times mass and
     /// inertia with their added parts.
-    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const;
-    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;  ///< see ShipDynamics
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators, double depth_m) const;
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const;  ///< see ShipDynamics
+    bool ownsRoll() const { return false; }
     double swayAddedMass_kg() const { return m_model.swayAddedMassRatio * m_hull.mass_kg(); }
 
 private:
@@ -31,6 +32,7 @@ private:
         double sway_s;  ///< tau_v
         double nearRest;
     };
+    double thrust_N(double surge_mps, const Actuators& actuators) const;
     Pace paceAt(double surge_mps) const;
     double swayMass_kg() const { return m_hull.mass_kg() * (1.0 + m_model.swayAddedMassRatio); }
     double yawInertia_kgm2() const {
@@ -40,7 +42,7 @@ private:
 
     SandaruwanModel m_model;
     Hull m_hull;
-    Propulsion m_propulsion;
+    std::vector<Propeller> m_propellers;
 };
 
 }  // namespace sagara::core

@@ -3,15 +3,18 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/motion/Thruster.h"
 
 namespace sagara::core {
 namespace {
 
-std::variant<PolynomialShip, SandaruwanShip> makeModel(const Vessel& vessel) {
-    if (const auto* polynomial = std::get_if<PolynomialModel>(&vessel.model))
-        return PolynomialShip(*polynomial, vessel);
-    return SandaruwanShip(std::get<SandaruwanModel>(vessel.model), vessel);
-}
+/// The ship at work for each kind of model.
+struct MakeShip {
+    const Vessel& vessel;
+    ManoeuvringShip operator()(const PolynomialModel& model) const { return PolynomialShip(model, vessel); }
+    ManoeuvringShip operator()(const SandaruwanModel& model) const { return SandaruwanShip(model, vessel); }
+    ManoeuvringShip operator()(const MmgModel& model) const { return MmgShip(model, vessel); }
+};
 
 double criticalDamping(double stiffness, double inertia) { return 2.0 * std::sqrt(stiffness * inertia); }
 
@@ -36,12 +39,14 @@ WaveLoad::Coefficients ShipDynamics::coefficients(const Vessel& vessel) {
     return c;
 }
 
-ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves)
-    : m_model(makeModel(vessel)),
-      m_modelHasRoll(std::holds_alternative<PolynomialShip>(m_model)),
+ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::string_view model)
+    : m_model(std::visit(MakeShip{vessel}, vessel.model(model).value()->parameters)),
+      m_thrusters(vessel.thrusters),
+      m_hull(vessel.hull),
+      m_modelHasRoll(std::visit([](const auto& ship) { return ship.ownsRoll(); }, m_model)),
       m_mass_kg(vessel.hull.mass_kg()),
       m_swayMass_kg(m_mass_kg +
-                    std::visit([](const auto& model) { return model.swayAddedMass_kg(); }, m_model)),
+                    std::visit([](const auto& ship) { return ship.swayAddedMass_kg(); }, m_model)),
       m_pitchInertia_kgm2(m_mass_kg * vessel.hull.pitchGyradius_m * vessel.hull.pitchGyradius_m),
       m_rollInertia_kgm2(m_mass_kg * vessel.hull.rollGyradius_m * vessel.hull.rollGyradius_m *
                          (1.0 + vessel.seakeeping.rollAddedInertiaRatio)),
@@ -52,32 +57,33 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves)
         vessel.seakeeping.rollDampingRatio * criticalDamping(m_c.rollStiffness, m_rollInertia_kgm2);
 }
 
-HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuators) const {
+HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuators, double depth_m) const {
     const auto planar = [](const Load& l) {
         return Load{.surge_N = l.surge_N, .sway_N = l.sway_N, .yaw_Nm = l.yaw_Nm};
     };
     const HullForces f =
-        std::visit([&](const auto& model) { return model.hullForces(m, actuators); }, m_model);
-    return {planar(f.hull), planar(f.rudder), planar(f.propeller)};
+        std::visit([&](const auto& ship) { return ship.hullForces(m, actuators, depth_m); }, m_model);
+    return {planar(f.hull), planar(f.rudder),
+            planar(f.propeller + thrusterLoad(m_thrusters, m, actuators, m_hull))};
 }
 
-Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate) const {
-    return std::visit([&](const auto& model) { return model.forceFor(m, rate); }, m_model);
+Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const {
+    return std::visit([&](const auto& ship) { return ship.forceFor(m, rate, depth_m); }, m_model);
 }
 
-Load ShipDynamics::horizontalForce(const WaveEffect& waves) const {
+Load ShipDynamics::horizontalForce(const WaveEffect& waves, double depth_m) const {
     ShipMotion rate;
     rate.surge_mps = waves.surge_mps2;
     rate.sway_mps = waves.sway_mps2;
     rate.yawRate_radps = waves.yaw_radps2;
-    return forceFor({}, rate);
+    return forceFor({}, rate, depth_m);
 }
 
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
-                                    const WaveEffect& waves, NorthEast current) const {
-    const Load load = external + waves.load;
+                                    const WaveEffect& waves, NorthEast current, double depth_m) const {
+    const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a =
-        std::visit([&](const auto& model) { return model.acceleration(m, actuators, load); }, m_model);
+        std::visit([&](const auto& ship) { return ship.acceleration(m, actuators, load, depth_m); }, m_model);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
                  lateral_mps = m.sway_mps * std::cos(m.roll_rad);
     ShipMotion rate;
@@ -90,11 +96,10 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     rate.surge_mps = a.surge_mps2 + waves.surge_mps2;
     rate.sway_mps = a.sway_mps2 + waves.sway_mps2;
     rate.yawRate_radps = a.yaw_radps2 + waves.yaw_radps2;
-    rate.rollRate_radps =
-        m_modelHasRoll
-            ? a.roll_radps2
-            : (load.roll_Nm - m_c.rollStiffness * m.roll_rad - m_rollDamping_Nms * m.rollRate_radps) /
-                  m_rollInertia_kgm2;
+    rate.rollRate_radps = m_modelHasRoll ? a.roll_radps2
+                                         : (load.roll_Nm + a.heel_Nm - m_c.rollStiffness * m.roll_rad -
+                                            m_rollDamping_Nms * m.rollRate_radps) /
+                                               m_rollInertia_kgm2;
     rate.heaveRate_mps = (load.heave_N - m_c.heaveStiffness * m.down_m - m_c.heaveDamping * m.heaveRate_mps) /
                          (m_mass_kg + m_c.heaveAddedMass);
     rate.pitchRate_radps =

@@ -1,32 +1,41 @@
 #pragma once
 
+#include <string_view>
 #include <variant>
 
+#include "core/motion/MmgShip.h"
 #include "core/motion/SandaruwanShip.h"
 #include "core/motion/WaveLoad.h"
 
 namespace sagara::core {
+
+/// One alternative for each kind of model. Each is made from its parameters and the vessel and has
+/// acceleration, hullForces, forceFor, swayAddedMass_kg and ownsRoll.
+using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip, MmgShip>;
 
 /// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
 /// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
 /// roll where it has not) are springs on the waterplane with added mass and damping.
 class ShipDynamics {
 public:
-    ShipDynamics(const Vessel& vessel, const WaveTable& waves);
+    /// `model`: one the vessel has (Vessel::model tells); the first where the name is empty.
+    ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::string_view model = {});
 
     /// Rate of every field of the motion. `external`: all loads but those of hull, rudder, propellers and
-    /// waves. `current`: of the water, in N, m/s.
+    /// waves. `current`: of the water, in N, m/s. `depth_m`: from the surface to the ground below her.
     ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
-                          const WaveEffect& waves, NorthEast current) const;
+                          const WaveEffect& waves, NorthEast current, double depth_m = kDeepWater_m) const;
 
-    /// Forces of the water on hull, rudders and propellers alone, in the horizontal plane (other members 0).
-    /// A model that has no force for something says what force would do the same.
-    HullForces hullForces(const ShipMotion& m, const Actuators& actuators) const;
+    /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
+    /// the horizontal plane (other members 0). A model that has no force for something says what force would
+    /// do the same.
+    HullForces hullForces(const ShipMotion& m, const Actuators& actuators,
+                          double depth_m = kDeepWater_m) const;
     /// The force in the horizontal plane, of all causes together, that changes her velocities at this rate:
     /// mass and added mass times acceleration, less what comes of the turning of frame B.
-    Load forceFor(const ShipMotion& m, const ShipMotion& rate) const;
+    Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m = kDeepWater_m) const;
     /// The force that would do what waves do in the horizontal plane, where they carry her along.
-    Load horizontalForce(const WaveEffect& waves) const;
+    Load horizontalForce(const WaveEffect& waves, double depth_m = kDeepWater_m) const;
 
     const WaveLoad& waveLoad() const { return m_waveLoad; }
     /// Mass that a blow from the side has to stop: ship and added mass in sway.
@@ -36,7 +45,9 @@ public:
 private:
     static WaveLoad::Coefficients coefficients(const Vessel& vessel);
 
-    std::variant<PolynomialShip, SandaruwanShip> m_model;
+    ManoeuvringShip m_model;
+    Thrusters m_thrusters;
+    Hull m_hull;
     bool m_modelHasRoll;
     double m_mass_kg;
     double m_swayMass_kg;

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <limits>
+
 #include "core/base/Planar.h"
 
 namespace sagara::core {
+
+/// A depth that no model feels.
+inline constexpr double kDeepWater_m = std::numeric_limits<double>::infinity();
 
 /// Where an own ship is and how she moves: six degrees of freedom of Bo. Velocities are through the water, in
 /// B. The same type holds the rates of all fields, so that an integrator needs only + and *.

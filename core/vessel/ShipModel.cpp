@@ -118,6 +118,11 @@ SandaruwanModel readSandaruwan(config::Reader& in) {
     return m;
 }
 
+template <auto read>
+ShipModel readAs(config::Reader& in) {
+    return read(in);
+}
+
 }  // namespace
 
 bool parseFactors(const std::string& text, std::array<Factor, 4>& factors) {
@@ -142,15 +147,15 @@ bool parseFactors(const std::string& text, std::array<Factor, 4>& factors) {
     return count > 0;
 }
 
-ShipModel readShipModel(config::Reader& in) {
-    enum class Kind { Polynomial, Sandaruwan };
-    const auto kind =
-        in.choice<Kind>("kind", {{"polynomial", Kind::Polynomial}, {"sandaruwan2010", Kind::Sandaruwan}});
+NamedModel readShipModel(config::Reader& in) {
+    using Read = ShipModel (*)(config::Reader&);
+    const auto read = in.choiceIfKnown<Read>("kind", {{"polynomial", readAs<readPolynomial>},
+                                                      {"sandaruwan2010", readAs<readSandaruwan>},
+                                                      {"mmg", readAs<readMmg>}});
+    const std::string name = in.has("name") ? in.id("name") : in.textOr("kind", "");
     const Provenance provenance = readProvenance(in);
-    ShipModel model;
-    if (kind == Kind::Polynomial) model = readPolynomial(in);
-    if (kind == Kind::Sandaruwan) model = readSandaruwan(in);
-    std::visit([&](auto& m) { m.provenance = provenance; }, model);
+    if (!read) return {name, provenance, {}};
+    NamedModel model{name, provenance, (*read)(in)};
     in.rejectUnknownKeys();
     return model;
 }

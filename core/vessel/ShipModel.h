@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/vessel/MmgModel.h"
 #include "core/vessel/Provenance.h"
 
 /// Parameters of the manoeuvring models a vessel document can carry. The physics is in core/motion.
@@ -61,7 +62,6 @@ struct PolynomialModel {
     double extensionBelow_mps =
         0.0;  ///< the low-speed extension is whole below this speed, nothing from holdsFrom on
     double crossFlowDrag = 0.0;  ///< coefficient at rest
-    Provenance provenance;
 };
 
 /// Corrected model of Sandaruwan et al. (2010): non-linear surge, Nomoto yaw, first-order sway driven by yaw.
@@ -78,11 +78,18 @@ struct SandaruwanModel {
     double swayAddedMassRatio = 0.8;  ///< for loads from outside the model
     double yawAddedInertiaRatio = 0.8;
     double crossFlowDrag = 0.0;
-    Provenance provenance;
 };
 
-using ShipModel = std::variant<PolynomialModel, SandaruwanModel>;
-ShipModel readShipModel(config::Reader& in);
+/// One alternative for each kind of model.
+using ShipModel = std::variant<PolynomialModel, SandaruwanModel, MmgModel>;
+
+/// One of the models a vessel can be run with.
+struct NamedModel {
+    std::string name;  ///< its kind, such as "polynomial", unless the document names it
+    Provenance provenance;
+    ShipModel parameters;
+};
+NamedModel readShipModel(config::Reader& in);
 
 /// "phi |u| v", "r^2": factors separated by spaces; false when it is not that or has more than four.
 bool parseFactors(const std::string& text, std::array<PolynomialTerm::Factor, 4>& factors);

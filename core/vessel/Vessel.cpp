@@ -1,5 +1,7 @@
 #include "core/vessel/Vessel.h"
 
+#include <algorithm>
+
 #include "core/vessel/ReadPoint.h"
 
 namespace sagara::core {
@@ -12,7 +14,33 @@ T readGroup(config::Reader& in, const char* key, T (*read)(config::Reader&)) {
     return read(group);
 }
 
+/// "models", a list in order of preference, or a single "model".
+std::vector<NamedModel> readModels(config::Reader& in) {
+    if (!in.has("models")) return {readGroup(in, "model", readShipModel)};
+    std::vector<NamedModel> models;
+    for (const config::Node& node : in.list("models")) {
+        config::Reader group(node);
+        NamedModel model = readShipModel(group);
+        const bool taken =
+            std::any_of(models.begin(), models.end(), [&](const auto& m) { return m.name == model.name; });
+        if (taken)
+            group.problem("name", "is \"" + model.name + "\" again", "a name of its own for each model");
+        models.push_back(std::move(model));
+    }
+    if (models.empty()) in.problem("models", "is empty", "at least one model");
+    return models;
+}
+
 }  // namespace
+
+Result<const NamedModel*, std::string> Vessel::model(std::string_view modelName) const {
+    std::string known;
+    for (const NamedModel& m : models) {
+        if (modelName.empty() || m.name == modelName) return &m;
+        known += (known.empty() ? "" : ", ") + m.name;
+    }
+    return "vessel " + id + " has no model \"" + std::string(modelName) + "\"; there are: " + known;
+}
 
 Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text) {
     config::Document document(name, text);
@@ -29,10 +57,11 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.bridgeEyeHeight_m = eye.number("height_m", {0.5, 80.0, "m"});
     eye.rejectUnknownKeys();
     v.hull = readGroup(in, "hull", readHull);
-    v.model = readGroup(in, "model", readShipModel);
+    v.models = readModels(in);
     v.seakeeping = readGroup(in, "seakeeping", readSeakeeping);
     v.propulsion = readGroup(in, "propulsion", readPropulsion);
     v.steering = readGroup(in, "steering", readSteering);
+    if (in.has("thrusters")) v.thrusters = readGroup(in, "thrusters", readThrusters);
     v.windage = readGroup(in, "windage", readWindage);
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);

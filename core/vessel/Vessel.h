@@ -10,6 +10,7 @@
 #include "core/vessel/Machinery.h"
 #include "core/vessel/Picture.h"
 #include "core/vessel/ShipModel.h"
+#include "core/vessel/Thrusters.h"
 #include "core/vessel/Windage.h"
 
 namespace sagara::core {
@@ -25,14 +26,19 @@ struct Vessel {
     BodyPoint bridgeEye;
     double bridgeEyeHeight_m = 0.0;
     Hull hull;
-    ShipModel model;
+    std::vector<NamedModel> models;  ///< at least one; the first is the default
     Seakeeping seakeeping;
     Propulsion propulsion;
     Steering steering;
+    Thrusters thrusters;  ///< may have none
     Windage windage;
     MooringGear mooring;
     GroundTackle groundTackle;
     std::optional<Picture> picture;  ///< none: drawn from her form
+
+    /// The model of that name, for an empty name the first; or what is wrong with the name and which there
+    /// are.
+    Result<const NamedModel*, std::string> model(std::string_view modelName = {}) const;
 };
 
 /// All problems of the document at once. `name` is used in messages: a file name or an id.

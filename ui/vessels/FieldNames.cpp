@@ -38,6 +38,7 @@ const std::array<std::pair<const char*, const char*>, 24> kLabels{
      {"Ixx", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Roll inertia Ixx")},
      {"Izz", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Yaw inertia Izz")},
      {"model", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Ship model")},
+     {"models", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Ship models")},
      {"picture", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "3D model")},
      {"bridgeEye", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Eye point on the bridge")},
      {"areaEach", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Area of each")},

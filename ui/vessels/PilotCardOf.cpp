@@ -141,7 +141,7 @@ PilotCardData pilotCardOf(const core::Vessel& v, const core::StandardTrials& tri
         card.sources.push_back({group, core::qualityName(p.quality), p.source});
     };
     source("Hull", v.hull.provenance);
-    source("Ship model", std::visit([](const auto& m) { return m.provenance; }, v.model));
+    source("Ship model", v.models[0].provenance);
     source("Propulsion", v.propulsion.provenance);
     source("Steering", v.steering.provenance);
     source("Anchors", v.groundTackle.provenance);

@@ -354,7 +354,7 @@ void VesselsPage::showFacts(const core::Vessel& v) {
         row(group, tr("%1: %2").arg(QString::fromLatin1(core::qualityName(p.quality)), q(p.source)));
     };
     quality(tr("Hull data"), h.provenance);
-    quality(tr("Ship model"), std::visit([](const auto& m) { return m.provenance; }, v.model));
+    for (const core::NamedModel& m : v.models) quality(tr("Ship model %1").arg(q(m.name)), m.provenance);
     quality(tr("Propulsion data"), v.propulsion.provenance);
     quality(tr("Steering data"), v.steering.provenance);
     quality(tr("Windage data"), v.windage.provenance);

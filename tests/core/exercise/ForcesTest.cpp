@@ -22,7 +22,7 @@ void expectTheWhole(const World& world, const State& state, std::size_t index) {
     for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = s.shafts[i].speed_rps;
     const TickEnvironment environment(world, state);
     const TickLoads loads(world, state, index, environment);
-    const Load total = ship.dynamics.forceFor(s.motion, loads.rate(s.motion, actuators));
+    const Load total = ship.dynamics.forceFor(s.motion, loads.rate(s.motion, actuators), loads.depth_m());
 
     const ShipForces forces = forcesOn(world, state, index);
     const Load sum = sumOf(forces);

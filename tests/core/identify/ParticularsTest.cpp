@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(From20To330Metres, EstimatedShip, ::testing::ValuesIn(f
 
 TEST(EstimatedVessel, MarksEveryGroupEstimatedWithItsSource) {
     const Vessel v = estimated(kvlcc2());
-    const Provenance model = std::visit([](const auto& m) { return m.provenance; }, v.model);
+    const Provenance model = v.models[0].provenance;
     for (const Provenance& p :
          {v.hull.provenance, model, v.seakeeping.provenance, v.propulsion.provenance, v.steering.provenance,
           v.windage.provenance, v.mooring.provenance, v.groundTackle.provenance}) {

@@ -19,7 +19,7 @@ protected:
     const Vessel vessel = loadVessel("patrol51.json", test::readAsset("vessels/patrol51.json")).value();
     const WaveTable waves{1, 1e6};
     const ShipDynamics ship{vessel, waves};
-    const PolynomialShip model{std::get<PolynomialModel>(vessel.model), vessel};
+    const PolynomialShip model{std::get<PolynomialModel>(vessel.models[0].parameters), vessel};
 
     ShipMotion motion;
     double rudder_rad = 0.0;
@@ -119,7 +119,7 @@ TEST_F(Patrol51, TurnToPortMirrorsTheTurnToStarboard) {
 // --- the low-speed extension ---
 
 TEST_F(Patrol51, ExtensionIsExactlyZeroInThePublishedRange) {
-    PolynomialModel published = std::get<PolynomialModel>(vessel.model);
+    PolynomialModel published = std::get<PolynomialModel>(vessel.models[0].parameters);
     published.crossFlowDrag = 0.0;
     Vessel without = vessel;
     without.steering.raceShare = 0.0;

@@ -15,7 +15,7 @@ Vessel essoOsaka() {
 
 TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
     Vessel vessel = essoOsaka();
-    SandaruwanModel& model = std::get<SandaruwanModel>(vessel.model);
+    SandaruwanModel& model = std::get<SandaruwanModel>(vessel.models[0].parameters);
     model.scalesWithSpeed = false;  // the reference keeps K and tau of the first speed
     vessel.hull.displacement_m3 = 3.194e8 / vessel.hull.waterDensity_kgpm3;
     const SandaruwanShip ship(model, vessel);
@@ -47,7 +47,7 @@ TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
 
 TEST(Sandaruwan, ThrustAt51RpmAnd10KnotsIsTheAuditsNotThePapers) {
     const Vessel vessel = essoOsaka();
-    const SandaruwanShip ship(std::get<SandaruwanModel>(vessel.model), vessel);
+    const SandaruwanShip ship(std::get<SandaruwanModel>(vessel.models[0].parameters), vessel);
     ShipMotion m;
     m.surge_mps = 5.1444;
     const double balance =

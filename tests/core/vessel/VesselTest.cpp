@@ -52,6 +52,20 @@ TEST(Vessel, UnitsAreConvertedOnTheWayIn) {
     EXPECT_NEAR(v.hull.mass_kg(), 361998.0, 1.0);
 }
 
+TEST(Vessel, MayHaveThrustersOrNone) {
+    const Vessel v = loadVessel("patrol51", patrol()).value();
+    ASSERT_EQ(v.thrusters.units.size(), 1u);
+    EXPECT_NEAR(v.thrusters.units[0].thrust_N, tunnelThrust_N(110e3, 0.8, 1025.0), 1e-9);
+    EXPECT_EQ(v.thrusters.provenance.quality, Quality::Estimated);
+    const auto tanker = loadVessel("esso-osaka", test::readAsset("vessels/esso-osaka.json"));
+    EXPECT_TRUE(tanker->thrusters.units.empty());
+    const std::string problems = problemsOf(
+        replaced(replaced(patrol(), "\"height_m\": -1.3", "\"height_m\": 1.3"), "\"power_kW\"", "\"power\""));
+    EXPECT_NE(problems.find("thrusters.units[0].height_m is 1.3, expected -30 to 0 m"), std::string::npos)
+        << problems;
+    EXPECT_NE(problems.find("thrusters.units[0].power_kW is missing"), std::string::npos) << problems;
+}
+
 TEST(Vessel, WrongValuesAreAllNamedWithTheirPath) {
     std::string text = replaced(patrol(), "\"beam_m\": 8.6", "\"beam_m\": \"wide\"");
     text = replaced(text, "\"diameter_m\": 1.6", "\"diameter_m\": -1.6");
@@ -88,6 +102,39 @@ TEST(Vessel, ATermThatIsNotAProductIsRefused) {
     EXPECT_EQ(f[2], PolynomialTerm::Factor::Surge);
     for (const char* bad : {"", "w", "u u u u u", "u^", "u^5", "|u", "u*v"})
         EXPECT_FALSE(parseFactors(bad, f)) << bad;
+}
+
+// --- several models ---
+
+std::string withModels(const std::string& second) {
+    std::string text = patrol();
+    const std::size_t at = text.find("\"model\": {"), end = text.find("\"seakeeping\"");
+    const std::size_t brace = text.rfind('}', end);
+    const std::string group = text.substr(at + 9, brace + 1 - (at + 9));
+    return text.replace(at, brace + 1 - at,
+                        "\"models\": [" + group + ", " + replaced(group, "{", second) + "]");
+}
+
+TEST(Vessel, ASingleModelIsAListOfOneNamedAfterItsKind) {
+    const Vessel v = loadVessel("patrol51", patrol()).value();
+    ASSERT_EQ(v.models.size(), 1u);
+    EXPECT_EQ(v.models[0].name, "polynomial");
+    EXPECT_EQ(v.models[0].provenance.quality, Quality::Published);
+}
+
+TEST(Vessel, ModelsAreFoundByNameAndTheFirstIsTheDefault) {
+    const Vessel v = loadVessel("patrol51", withModels("{ \"name\": \"fitted\",")).value();
+    ASSERT_EQ(v.models.size(), 2u);
+    EXPECT_EQ(v.model().value(), &v.models[0]);
+    EXPECT_EQ(v.model("fitted").value(), &v.models[1]);
+    EXPECT_EQ(v.model("mmg").error(), "vessel patrol51 has no model \"mmg\"; there are: polynomial, fitted");
+}
+
+TEST(Vessel, ModelsOfTheSameNameAreRefused) {
+    EXPECT_EQ(problemsOf(withModels("{")),
+              "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
+              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010");
 }
 
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {

@@ -1,4 +1,4 @@
-#include "app/files/FindScenario.h"
+#include "app/files/FindDocument.h"
 
 #include <filesystem>
 
@@ -7,11 +7,11 @@
 
 namespace sagara::files {
 
-core::Result<core::NamedText, std::string> findScenario(const core::DocumentSource& source,
+core::Result<core::NamedText, std::string> findDocument(const core::DocumentSource& source,
+                                                        core::DocumentKind kind,
                                                         const std::string& idOrFile) {
     if (core::config::isId(idOrFile)) {
-        if (auto text = source.find(core::DocumentKind::Scenario, idOrFile))
-            return core::NamedText{idOrFile, std::move(*text)};
+        if (auto text = source.find(kind, idOrFile)) return core::NamedText{idOrFile, std::move(*text)};
     }
     std::error_code ignored;
     if (std::filesystem::exists(idOrFile, ignored)) {
@@ -19,8 +19,9 @@ core::Result<core::NamedText, std::string> findScenario(const core::DocumentSour
         if (!text) return text.error().message;
         return core::NamedText{idOrFile, std::move(text).value()};
     }
-    return "there is no scenario \"" + idOrFile +
-           "\" and no file of that name; see `sagara-sim list scenarios`";
+    const std::string name = core::documentKindName(kind);
+    return "there is no " + name + " \"" + idOrFile + "\" and no file of that name; see `sagara-sim list " +
+           name + "s`";
 }
 
 }  // namespace sagara::files

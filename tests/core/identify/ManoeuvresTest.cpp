@@ -1,0 +1,73 @@
+#include "core/identify/Spiral.h"
+
+#include <gtest/gtest.h>
+
+#include "core/identify/Pullout.h"
+#include "core/identify/TrialShip.h"
+#include "core/identify/Zigzag.h"
+#include "tests/support/Assets.h"
+
+namespace sagara::core {
+namespace {
+
+Vessel patrol() { return loadVessel("patrol51", test::readAsset("vessels/patrol51.json")).value(); }
+
+TEST(Spiral, OfAStableShipHasNoLoopAndMirrorsItself) {
+    TrialShip ship(patrol());
+    const Trial trial = runSpiral(ship, {.rudder_rad = 10.0 * kDegree_rad});
+    ASSERT_EQ(trial.end, TrialEnd::Completed);
+    EXPECT_EQ(trial.measure("spiral_width_deg"), 0.0);
+    EXPECT_NEAR(*trial.measure("loop_height_dps"), 0.0, 0.005);
+    for (const char* angle : {"5", "1"}) {
+        const std::string name = std::string("r_dps_at_") + angle + "_deg_to_port",
+                          other = std::string("r_dps_at_-") + angle + "_deg_to_starboard";
+        ASSERT_TRUE(trial.measure(name) && trial.measure(other)) << name;
+        EXPECT_NEAR(*trial.measure(name), -*trial.measure(other), 1e-3) << name;
+        EXPECT_GT(*trial.measure(name), 0.0) << name;
+    }
+}
+
+TEST(Pullout, OfAStableShipEndsOnAStraightCourse) {
+    TrialShip ship(patrol());
+    const Trial trial = runPullout(ship, {.rudder_rad = -20.0 * kDegree_rad});
+    ASSERT_EQ(trial.end, TrialEnd::Completed);
+    EXPECT_NEAR(*trial.measure("steady_r_dps"), -2.913, 0.01);  // as in her turning circle
+    EXPECT_NEAR(*trial.measure("residual_ratio"), 0.0, 0.001);
+}
+
+TEST(TrialShip, GivesAnOrderAtItsHeadingWhateverTheStep) {
+    // The first reversal does not wait for the end of a step: it moves by what the integrator makes of a step
+    // in which the rudder comes to rest, 1 ms, not by a step.
+    const auto reversed_s = [](double step_s) {
+        TrialShip ship(patrol());
+        TrialOptions options;
+        options.approach = ship.holding(8.0);
+        options.step_s = step_s;
+        return *runZigzag(ship, {}, options).measure("execute_2_time_s");
+    };
+    EXPECT_NEAR(reversed_s(0.1), reversed_s(0.002), 0.002);
+}
+
+TEST(TrialShip, HoldsASpeedWhereThrustBalancesResistance) {
+    TrialShip ship(patrol());
+    const Approach approach = ship.holding(6.0);
+    ship.begin(approach);
+    for (int i = 0; i < 1000; ++i) ship.step(0.1);
+    EXPECT_NEAR(ship.motion().surge_mps, 6.0, 1e-6);
+    ship.begin({6.0, 7.0});  // the published shaft speed is for 8 m/s
+    ship.step(1.0);
+    EXPECT_GT(ship.motion().surge_mps, 6.05);
+}
+
+TEST(Zigzag, OfAGivenDurationGoesOnReversing) {
+    TrialShip ship(patrol());
+    TrialOptions options;
+    options.approach = ship.holding(8.0);
+    options.duration_s = 200.0;
+    const Trial trial = runZigzag(ship, {}, options);
+    EXPECT_NEAR(trial.samples.back().time_s, 200.0, 0.03);
+    EXPECT_TRUE(trial.measure("execute_8_time_s"));
+}
+
+}  // namespace
+}  // namespace sagara::core
