@@ -41,4 +41,13 @@ std::vector<Row> readReference(const std::string& pathUnderReference) {
     return readCsv(std::string(SAGARA_TEST_DATA) + "/" + pathUnderReference);
 }
 
+std::string readReferenceText(const std::string& pathUnderReference) {
+    const std::string path = std::string(SAGARA_TEST_DATA) + "/" + pathUnderReference;
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot open " + path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
 }  // namespace sagara::test

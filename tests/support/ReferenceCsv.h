@@ -20,6 +20,8 @@ private:
 
 /// A CSV file of tests/reference: lines that begin with # are its header and are skipped.
 std::vector<Row> readReference(const std::string& pathUnderReference);
+/// Any file of tests/reference as it is.
+std::string readReferenceText(const std::string& pathUnderReference);
 /// Any CSV file in the same form.
 std::vector<Row> readCsv(const std::string& path);
 

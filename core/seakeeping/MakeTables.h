@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/seakeeping/HullForm.h"
+#include "core/seakeeping/RollDamping.h"
+#include "core/seakeeping/SeakeepingTables.h"
+
+namespace sagara::core {
+
+struct TableOptions {
+    double greatestFroude = 0.4;  ///< of the speeds, which go up in steps of 0.1 sqrt(g Lpp)
+    bool transomTerms = true;     ///< the terms of the aftmost section at speed
+};
+
+/// Key of the cache: the same for the same hull, loading and options, and only then.
+std::uint64_t tablesHash(const HullForm& form, const TableOptions& options);
+
+/// Some seconds of work: made once per vessel and loading and kept.
+SeakeepingTables makeTables(const HullForm& form, const TableOptions& options = {});
+
+/// What Ikeda's method wants to know of the hull.
+IkedaShip ikedaShipOf(const HullForm& form);
+
+}  // namespace sagara::core
