@@ -7,6 +7,13 @@ namespace {
 
 constexpr int kSound_ms = 100;
 
+/// The first thruster at one end of the ship, or -1.
+int thrusterAt(const core::Thrusters& thrusters, bool bow) {
+    for (std::size_t i = 0; i < thrusters.units.size(); ++i)
+        if ((thrusters.units[i].position.x_m > 0.0) == bow) return static_cast<int>(i);
+    return -1;
+}
+
 }  // namespace
 
 BridgeLink::BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::TraineeConsole& console,
@@ -17,6 +24,15 @@ BridgeLink::BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::Traine
     input.watchKeys(&console);
     connect(&input, &ui::BridgeInput::helmWanted, &console, &ui::TraineeConsole::setHelm);
     connect(&input, &ui::BridgeInput::telegraphWanted, &console, &ui::TraineeConsole::setTelegraph);
+    const int bow = thrusterAt(vessel.thrusters, true), stern = thrusterAt(vessel.thrusters, false);
+    connect(&input, &ui::BridgeInput::thrusterWanted, &console,
+            [&console, bow](double thrust) { console.setThruster(bow, thrust); });
+    connect(&input, &ui::BridgeInput::sternThrusterWanted, &console,
+            [&console, stern](double thrust) { console.setThruster(stern, thrust); });
+    connect(&console, &ui::TraineeConsole::thrusterGiven, &input, [&input, bow, stern](int i, double thrust) {
+        if (i == bow) input.followThruster(thrust);
+        if (i == stern) input.followSternThruster(thrust);
+    });
     connect(&input, &ui::BridgeInput::hornWanted, &console, &ui::TraineeConsole::soundHorn);
     connect(&input, &ui::BridgeInput::lookWanted, &console, &ui::TraineeConsole::look);
     connect(&input, &ui::BridgeInput::acknowledgeWanted, &console, &ui::TraineeConsole::acknowledgeAlarms);

@@ -69,6 +69,25 @@ void holdMotions(std::uint8_t free, ShipMotion& v) {
     if (!isFree(free, FreeMotion::Yaw)) v.yawRate_radps = 0.0;
 }
 
+Actuators actuatorsOf(const OwnShip& ship, const OwnShipState& state) {
+    Actuators actuators;
+    actuators.rudder_rad = state.steering.angle_rad;
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = state.shafts[i].speed_rps;
+    for (std::size_t i = 0; i < ship.thrusterCount(); ++i) actuators.thruster[i] = state.thrusters[i].share;
+    return actuators;
+}
+
+Actuators runMachinery(const OwnShip& ship, OwnShipState& state, double dt_s) {
+    const double rudder_rad = runSteeringGear(ship.vessel.steering, state.steering, dt_s);
+    for (std::size_t i = 0; i < ship.shaftCount(); ++i)
+        runShaft(ship.vessel.propulsion.units[i], state.shafts[i], dt_s);
+    for (std::size_t i = 0; i < ship.thrusterCount(); ++i)
+        runThruster(ship.vessel.thrusters.units[i], state.thrusters[i], dt_s);
+    Actuators actuators = actuatorsOf(ship, state);
+    actuators.rudder_rad = rudder_rad;  // the mean of the tick
+    return actuators;
+}
+
 OwnShipState startOf(const OwnShip& ship) {
     OwnShipState s;
     s.motion = ship.start;

@@ -7,6 +7,7 @@
 #include "core/bridge/Autopilot.h"
 #include "core/bridge/ShaftControl.h"
 #include "core/bridge/SteeringGear.h"
+#include "core/bridge/ThrusterControl.h"
 #include "core/motion/ShipDynamics.h"
 #include "core/world/Anchor.h"
 #include "core/world/Contact.h"
@@ -40,6 +41,7 @@ struct OwnShip {
     std::vector<LineLayout> lines;  ///< made fast at the start
 
     std::size_t shaftCount() const { return vessel.propulsion.units.size(); }
+    std::size_t thrusterCount() const { return vessel.thrusters.units.size(); }
     std::size_t anchorCount() const { return vessel.groundTackle.anchors.size(); }
 };
 
@@ -84,6 +86,7 @@ struct OwnShipState {
     ShipMotion motion;
     SteeringGearState steering;
     std::array<ShaftState, kMostShafts> shafts;
+    std::array<ThrusterState, kMostThrusters> thrusters;
     AutopilotState autopilot;
     PilotMemory pilot;
     std::array<LineState, kMostLines> lines;
@@ -97,11 +100,17 @@ struct OwnShipState {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.motion, self.steering, self.shafts, self.autopilot, self.pilot, self.lines, self.anchors,
-           self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m, self.freeMotions);
+        ar(self.motion, self.steering, self.shafts, self.thrusters, self.autopilot, self.pilot, self.lines,
+           self.anchors, self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m,
+           self.freeMotions);
     }
 };
 
 OwnShipState startOf(const OwnShip& ship);
+
+/// Rudder, shafts and thrusters as they are.
+Actuators actuatorsOf(const OwnShip& ship, const OwnShipState& state);
+/// Steering gear, shafts and thrusters for one tick; what the hull feels in it.
+Actuators runMachinery(const OwnShip& ship, OwnShipState& state, double dt_s);
 
 }  // namespace sagara::core

@@ -35,6 +35,11 @@ void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order) {
               [&](ShaftState& shaft) { shaft.order_rps = std::clamp(order.speed_rps, least, most); });
 }
 
+void obey(const OwnShip& ship, OwnShipState& state, const ThrusterOrder& order) {
+    if (order.thruster >= ship.thrusterCount()) return;
+    state.thrusters[order.thruster].order = std::clamp(order.share, -1.0, 1.0);
+}
+
 void obey(const OwnShip&, OwnShipState& state, const AutopilotOrder& order) {
     state.autopilot.mode = order.mode;
     state.autopilot.setHeading_rad = order.heading_rad;

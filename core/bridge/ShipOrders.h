@@ -36,6 +36,16 @@ struct ShaftOrder {
     }
 };
 
+/// Lever of a bow or stern thruster.
+struct ThrusterOrder {
+    std::uint8_t thruster = 0;
+    double share = 0.0;  ///< of full thrust, -1 to 1, starboard positive
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.thruster, self.share);
+    }
+};
+
 struct AutopilotOrder {
     AutopilotMode mode = AutopilotMode::Off;
     double heading_rad = 0.0;  ///< heading mode
@@ -78,6 +88,7 @@ struct AnchorOrder {
 void obey(const OwnShip& ship, OwnShipState& state, const HelmOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const TelegraphOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order);
+void obey(const OwnShip& ship, OwnShipState& state, const ThrusterOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const AutopilotOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const PilotOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const LineOrder& order);

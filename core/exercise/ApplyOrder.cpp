@@ -58,6 +58,10 @@ public:
                 if (order.number >= m_world.ships[m_ship]->shaftCount()) return;
                 ship.shafts[order.number].failed = !order.mended;
                 break;
+            case Fault::Thruster:
+                if (order.number >= m_world.ships[m_ship]->thrusterCount()) return;
+                ship.thrusters[order.number].failed = !order.mended;
+                break;
         }
         Event event = make(m_state, order.mended ? EventKind::FaultMended : EventKind::FaultCame, m_ship,
                            static_cast<std::size_t>(order.fault), ship.motion.position());

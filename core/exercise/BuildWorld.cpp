@@ -256,9 +256,10 @@ OrderNames orderNames(const World& world) {
     OrderNames names;
     names.frame = world.area.frame;
     for (const auto& ship : world.ships) {
-        OrderNames::Ship s{ship->id, ship->lineIds, {}, {}};
+        OrderNames::Ship s{ship->id, ship->lineIds, {}, {}, {}};
         for (const PropulsionUnit& unit : ship->vessel.propulsion.units) s.shafts.push_back(unit.id);
         for (const AnchorGear& anchor : ship->vessel.groundTackle.anchors) s.anchors.push_back(anchor.id);
+        for (const Thruster& thruster : ship->vessel.thrusters.units) s.thrusters.push_back(thruster.id);
         names.ships.push_back(std::move(s));
     }
     for (const TargetLayout& target : world.targets) names.targets.push_back(target.id);

@@ -13,7 +13,7 @@ namespace sagara::core {
 using Order = std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder,
                            AnchorOrder, WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder,
                            FinishOrder, NoteOrder, ReportOrder, AddTargetOrder, MoveTargetOrder,
-                           SteerTargetOrder, RouteTargetOrder, FreezeMotionOrder>;
+                           SteerTargetOrder, RouteTargetOrder, FreezeMotionOrder, ThrusterOrder>;
 
 /// The only way into a running exercise: an order, the own ship it is for (or none) and the tick it is
 /// carried out in.

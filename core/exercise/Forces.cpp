@@ -7,12 +7,9 @@ namespace sagara::core {
 ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     const OwnShip& ship = *world.ships[index];
     const OwnShipState& s = state.ships[index];
-    Actuators actuators;
-    actuators.rudder_rad = s.steering.angle_rad;
-    for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = s.shafts[i].speed_rps;
     const TickEnvironment environment(world, state);
     const TickLoads loads(world, state, index, environment);
-    const HullForces own = ship.dynamics.hullForces(s.motion, actuators, loads.depth_m());
+    const HullForces own = ship.dynamics.hullForces(s.motion, actuatorsOf(ship, s), loads.depth_m());
 
     ShipForces forces;
     const auto set = [&](ForceCause cause, const Load& l) {

@@ -29,11 +29,11 @@ struct WeatherOrder {
     }
 };
 
-enum class Fault : std::uint8_t { SteeringPump, SteeringJam, Engine };
+enum class Fault : std::uint8_t { SteeringPump, SteeringJam, Engine, Thruster };
 /// A fault on an own ship comes (or is mended).
 struct FaultOrder {
     Fault fault = Fault::Engine;
-    std::uint8_t number = 0;  ///< of the engine; pumps: how many fail
+    std::uint8_t number = 0;  ///< of the engine or thruster; pumps: how many fail
     bool mended = false;
 
     template <typename Archive, typename Self>

@@ -14,17 +14,11 @@ namespace {
 constexpr double kContactNoise_mps = 0.03;                   // softer touches are not reported
 constexpr std::int64_t kNewContact_ticks = kTicksPerSecond;  // apart this long, a touch is a new one
 
-Actuators runMachinery(const World& world, const OwnShip& ship, OwnShipState& s) {
+Actuators workShip(const World& world, const OwnShip& ship, OwnShipState& s) {
     runPilot(world.pilot, world.path, ship, s, kTick_s);
     s.steering.order_rad =
         steerAutopilot_rad(ship, world.path, s.motion, s.autopilot, s.steering.order_rad, kTick_s);
-    Actuators actuators;
-    actuators.rudder_rad = runSteeringGear(ship.vessel.steering, s.steering, kTick_s);
-    for (std::size_t i = 0; i < ship.shaftCount(); ++i) {
-        runShaft(ship.vessel.propulsion.units[i], s.shafts[i], kTick_s);
-        actuators.shaft_rps[i] = s.shafts[i].speed_rps;
-    }
-    return actuators;
+    return runMachinery(ship, s, kTick_s);
 }
 
 /// New blows become events; a ship that is hit loses her way.
@@ -87,7 +81,7 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
     const OwnShip& ship = *world.ships[index];
     OwnShipState& s = state.ships[index];
     const NorthEast current = state.weather.now.current;
-    const Actuators actuators = runMachinery(world, ship, s);
+    const Actuators actuators = workShip(world, ship, s);
     const TickLoads loads(world, state, index, environment);
     s.motion = rk4Step(s.motion, kTick_s, [&](const ShipMotion& m) { return loads.rate(m, actuators); });
     if (const std::int32_t component = notFinite(s.motion); component >= 0) {

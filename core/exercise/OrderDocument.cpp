@@ -47,6 +47,13 @@ Order readShaftSpeed(config::Reader& in, const OrderNames::Ship& ship) {
     return ShaftOrder{readShaft(in, ship), kRpm_rps * in.number("speed_rpm", {-3000.0, 3000.0, "rpm"})};
 }
 
+Order readThruster(config::Reader& in, const OrderNames::Ship& ship) {
+    ThrusterOrder order;
+    order.thruster = indexOf(in, "thruster", ship.thrusters).value_or(std::uint8_t{0});
+    order.share = 0.01 * in.number("thrust_percent", {-100.0, 100.0, "%"});
+    return order;
+}
+
 Order readAutopilot(config::Reader& in, const OrderNames::Ship&) {
     AutopilotOrder order;
     order.mode = in.choice<AutopilotMode>(
@@ -122,11 +129,14 @@ Order readFault(config::Reader& in, const OrderNames::Ship& ship) {
     FaultOrder order;
     order.fault = in.choice<Fault>("fault", {{"steeringPump", Fault::SteeringPump},
                                              {"steeringJam", Fault::SteeringJam},
-                                             {"engine", Fault::Engine}});
+                                             {"engine", Fault::Engine},
+                                             {"thruster", Fault::Thruster}});
     if (order.fault == Fault::SteeringPump)
         order.number = static_cast<std::uint8_t>(in.integerOr("pumps", 1, 1, 2));
     if (order.fault == Fault::Engine)
         order.number = indexOf(in, "shaft", ship.shafts).value_or(std::uint8_t{0});
+    if (order.fault == Fault::Thruster)
+        order.number = indexOf(in, "thruster", ship.thrusters).value_or(std::uint8_t{0});
     order.mended = in.flagOr("mended", false);
     return order;
 }
@@ -283,7 +293,8 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
         MoveTarget,
         SteerTarget,
         RouteTarget,
-        FreeMotions
+        FreeMotions,
+        Thruster
     };
     // A new kind of order: its value in Command.h, its reader above and one line here and below.
     const auto kind = in.choiceIfKnown<Kind>("order", {{"helm", Kind::Helm},
@@ -305,7 +316,8 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
                                                        {"moveTarget", Kind::MoveTarget},
                                                        {"steerTarget", Kind::SteerTarget},
                                                        {"routeTarget", Kind::RouteTarget},
-                                                       {"freeMotions", Kind::FreeMotions}});
+                                                       {"freeMotions", Kind::FreeMotions},
+                                                       {"thruster", Kind::Thruster}});
     std::vector<std::string> shipIds;
     for (const auto& ship : names.ships) shipIds.push_back(ship.id);
     NamedOrder named;
@@ -372,6 +384,9 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
             break;
         case Kind::FreeMotions:
             named.order = readFreeMotions(in);
+            break;
+        case Kind::Thruster:
+            named.order = readThruster(in, ship);
             break;
     }
     return named;

@@ -16,6 +16,7 @@ struct OrderNames {
         std::vector<std::string> lines;
         std::vector<std::string> shafts;
         std::vector<std::string> anchors;
+        std::vector<std::string> thrusters;
     };
     std::vector<Ship> ships;
     std::vector<std::string> targets;  ///< of the scenario; those added later are "added-1" and so on

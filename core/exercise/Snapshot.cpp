@@ -28,6 +28,8 @@ OwnShipView viewShip(const OwnShip& ship, const OwnShipState& s, NorthEast curre
         v.shafts_rps.push_back(s.shafts[i].speed_rps);
         v.shaftOrders_rps.push_back(s.shafts[i].order_rps);
     }
+    v.thrusters.assign(s.thrusters.begin(),
+                       s.thrusters.begin() + static_cast<std::ptrdiff_t>(ship.thrusterCount()));
     v.autopilot = s.autopilot;
     v.pilotEngaged = s.pilot.engaged;
     v.lines.assign(s.lines.begin(), s.lines.begin() + static_cast<std::ptrdiff_t>(ship.lines.size()));

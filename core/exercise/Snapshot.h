@@ -15,6 +15,7 @@ struct OwnShipView {
     double rudderOrder_rad = 0.0;
     std::vector<double> shafts_rps;
     std::vector<double> shaftOrders_rps;
+    std::vector<ThrusterState> thrusters;  ///< bow to stern as in her document
     AutopilotState autopilot;
     bool pilotEngaged = false;
     std::vector<LineState> lines;

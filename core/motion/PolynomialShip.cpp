@@ -6,7 +6,6 @@
 
 #include "core/base/Units.h"
 #include "core/motion/CrossFlow.h"
-#include "core/motion/Propeller.h"
 #include "core/motion/RaceDrive.h"
 #include "core/motion/SmoothStep.h"
 
@@ -14,7 +13,7 @@ namespace sagara::core {
 PolynomialShip::PolynomialShip(const PolynomialModel& model, const Vessel& vessel)
     : m_model(model),
       m_hull(vessel.hull),
-      m_propulsion(vessel.propulsion),
+      m_propellers(propellersOf(vessel.propulsion)),
       m_steering(vessel.steering),
       m_rows(model, vessel),
       m_mass_kg(m_rows.force_kgpm() * m_rows.length_m()),
@@ -75,37 +74,43 @@ HullForces PolynomialShip::hullForces(const ShipMotion& m, const Actuators& actu
 
 Load PolynomialShip::balancedLoad(const ShipMotion& m, const Actuators& actuators) const {
     Load sum;
-    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
-        const PropulsionUnit& unit = m_propulsion.units[i];
-        const auto thrust = [&](double shaft_rps) {
-            return openWaterThrust_N(unit, shaft_rps, m.surge_mps, m_hull.waterDensity_kgpm3);
+    for (std::size_t i = 0; i < m_propellers.size(); ++i) {
+        const PropulsionUnit& unit = m_propellers[i].unit();
+        const auto thrust = [&](double shaft_rps, double pitch) {
+            return m_propellers[i]
+                .behindHull(shaft_rps, pitch, m.surge_mps, m_hull.waterDensity_kgpm3)
+                .thrust_N;
         };
-        const double more_N = (1.0 - unit.thrustDeduction) *
-                              (thrust(actuators.shaft_rps[i]) - thrust(m_model.balanced->shaft_rps));
+        const double more_N =
+            (1.0 - unit.thrustDeduction) *
+            (thrust(actuators.shaft_rps[i], actuators.pitch[i]) - thrust(m_model.balanced->shaft_rps, 1.0));
         sum.surge_N += more_N;
         sum.yaw_Nm -= unit.position.y_m * more_N;
     }
     return sum;
 }
 
-double PolynomialShip::thrust_N(std::size_t shaft, double shaft_rps, double surge_mps) const {
-    const PropulsionUnit& unit = m_propulsion.units[shaft];
+double PolynomialShip::thrust_N(std::size_t shaft, const Actuators& actuators, double surge_mps) const {
+    const Propeller& propeller = m_propellers[shaft];
+    const double shaft_rps = actuators.shaft_rps[shaft];
     const double ratio = shaft_rps / m_model.lift->shaft_rps;
     const double published_N =
-        m_model.lift->thrust_N / static_cast<double>(m_propulsion.units.size()) * ratio * ratio;
+        m_model.lift->thrust_N / static_cast<double>(m_propellers.size()) * ratio * ratio;
     const double share = shaft_rps >= 0.0 ? publishedShare(surge_mps) : 0.0;
     if (share == 1.0) return published_N;
-    const double open_N = (1.0 - unit.thrustDeduction) *
-                          openWaterThrust_N(unit, shaft_rps, surge_mps, m_hull.waterDensity_kgpm3);
+    const double open_N =
+        (1.0 - propeller.unit().thrustDeduction) *
+        propeller.behindHull(shaft_rps, actuators.pitch[shaft], surge_mps, m_hull.waterDensity_kgpm3)
+            .thrust_N;
     return share * published_N + (1.0 - share) * open_N;
 }
 
 Load PolynomialShip::propulsionLoad(const ShipMotion& m, const Actuators& actuators) const {
     Load sum;
-    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
-        const double thrust = thrust_N(i, actuators.shaft_rps[i], m.surge_mps);
+    for (std::size_t i = 0; i < m_propellers.size(); ++i) {
+        const double thrust = thrust_N(i, actuators, m.surge_mps);
         sum.surge_N += thrust;
-        sum.yaw_Nm -= m_propulsion.units[i].position.y_m * thrust;
+        sum.yaw_Nm -= m_propellers[i].unit().position.y_m * thrust;
     }
     return sum;
 }
@@ -123,15 +128,18 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
         if (published < 1.0) {
             // the propeller before this rudder: the one nearest to it across the ship
             std::size_t before = 0;
-            for (std::size_t i = 1; i < m_propulsion.units.size(); ++i) {
-                if (std::abs(m_propulsion.units[i].position.y_m - rudder.y_m) <
-                    std::abs(m_propulsion.units[before].position.y_m - rudder.y_m)) {
+            for (std::size_t i = 1; i < m_propellers.size(); ++i) {
+                if (std::abs(m_propellers[i].unit().position.y_m - rudder.y_m) <
+                    std::abs(m_propellers[before].unit().position.y_m - rudder.y_m)) {
                     before = i;
                 }
             }
-            const PropulsionUnit& unit = m_propulsion.units[before];
-            const double thrust = openWaterThrust_N(unit, actuators.shaft_rps[before], u, density);
-            inflow2 += (1.0 - published) * m_steering.raceShare * addedRaceSquared(unit, thrust, density);
+            const Propeller& propeller = m_propellers[before];
+            const double thrust =
+                propeller.behindHull(actuators.shaft_rps[before], actuators.pitch[before], u, density)
+                    .thrust_N;
+            inflow2 += (1.0 - published) * m_steering.raceShare *
+                       addedRaceSquared(propeller.unit(), thrust, density);
         }
         force_N += 0.5 * density * m_steering.areaEach_m2 * m_steering.liftSlope_perRad * angle_rad * inflow2;
     }
@@ -174,7 +182,7 @@ PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actua
         return inertia.inverse[i][0] * lateral[0] + inertia.inverse[i][1] * lateral[1] +
                inertia.inverse[i][2] * lateral[2];
     };
-    return {f.surge_N / inertia.surge_kg, row(0), row(1), row(2)};
+    return {f.surge_N / inertia.surge_kg, row(0), row(1), row(2), 0.0};
 }
 
 }  // namespace sagara::core

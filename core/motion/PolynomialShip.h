@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/motion/Actuators.h"
 #include "core/motion/Load.h"
 #include "core/motion/PolynomialRows.h"
+#include "core/motion/Propeller.h"
 #include "core/motion/ShipMotion.h"
 #include "core/vessel/Vessel.h"
 
@@ -16,6 +18,7 @@ struct PlanarAcceleration {
     double sway_mps2 = 0.0;
     double roll_radps2 = 0.0;
     double yaw_radps2 = 0.0;
+    double heel_Nm = 0.0;  ///< of the forces in the plane, where the model does not own roll
 };
 
 /// A published polynomial set at work, M nu' = F: hull rows, and rudder and propellers by the rule the set
@@ -58,14 +61,14 @@ private:
     }
     /// What comes of the turning of frame B, where the rows do not hold it.
     Load turningLoad(const ShipMotion& m) const;
-    double thrust_N(std::size_t shaft, double shaft_rps, double surge_mps) const;
+    double thrust_N(std::size_t shaft, const Actuators& actuators, double surge_mps) const;
     Load propulsionLoad(const ShipMotion& m, const Actuators& actuators) const;
     Load balancedLoad(const ShipMotion& m, const Actuators& actuators) const;
     Load rudderLoad(const ShipMotion& m, const Actuators& actuators) const;
 
     PolynomialModel m_model;
     Hull m_hull;
-    Propulsion m_propulsion;
+    std::vector<Propeller> m_propellers;
     Steering m_steering;
     PolynomialRows m_rows;
     double m_mass_kg, m_firstMoment_kgm, m_inertia_kgm2;  ///< one unit of the set

@@ -16,14 +16,17 @@ double thrustCoefficient(const PropulsionUnit& unit, double J) {
 
 }  // namespace
 
-double openWaterThrust_N(const PropulsionUnit& unit, double shaft_rps, double surge_mps,
-                         double density_kgpm3) {
+PropellerForce Propeller::force(double shaft_rps, double, double inflow_mps, double density_kgpm3) const {
     constexpr double kStanding_rps = 1e-3;
-    if (std::abs(shaft_rps) < kStanding_rps) return 0.0;
-    const double scale_N = density_kgpm3 * shaft_rps * shaft_rps * std::pow(unit.diameter_m, 4);
-    const double J = (1.0 - unit.wakeFraction) * surge_mps / (std::abs(shaft_rps) * unit.diameter_m);
-    if (shaft_rps > 0.0) return scale_N * thrustCoefficient(unit, J);
-    return -unit.asternThrustRatio * scale_N * thrustCoefficient(unit, std::max(0.0, -J));
+    if (std::abs(shaft_rps) < kStanding_rps) return {};
+    const double scale_N = density_kgpm3 * shaft_rps * shaft_rps * std::pow(m_unit.diameter_m, 4);
+    const double J = inflow_mps / (std::abs(shaft_rps) * m_unit.diameter_m);
+    if (shaft_rps > 0.0) return {scale_N * thrustCoefficient(m_unit, J), 0.0};
+    return {-m_unit.asternThrustRatio * scale_N * thrustCoefficient(m_unit, std::max(0.0, -J)), 0.0};
+}
+
+std::vector<Propeller> propellersOf(const Propulsion& propulsion) {
+    return {propulsion.units.begin(), propulsion.units.end()};
 }
 
 double addedRaceSquared(const PropulsionUnit& unit, double thrust_N, double density_kgpm3) {

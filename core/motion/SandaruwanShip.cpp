@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/motion/CrossFlow.h"
-#include "core/motion/Propeller.h"
 
 namespace sagara::core {
 namespace {
@@ -14,7 +13,7 @@ constexpr double kSlowest = 0.1;  // of the reference speed
 }  // namespace
 
 SandaruwanShip::SandaruwanShip(const SandaruwanModel& model, const Vessel& vessel)
-    : m_model(model), m_hull(vessel.hull), m_propulsion(vessel.propulsion) {}
+    : m_model(model), m_hull(vessel.hull), m_propellers(propellersOf(vessel.propulsion)) {}
 
 SandaruwanShip::Pace SandaruwanShip::paceAt(double surge_mps) const {
     // As in `acceleration`, where the comments are.
@@ -27,16 +26,22 @@ SandaruwanShip::Pace SandaruwanShip::paceAt(double surge_mps) const {
             m_model.swayTimeConstant_s / pace, rest};
 }
 
+double SandaruwanShip::thrust_N(double surge_mps, const Actuators& actuators) const {
+    double sum_N = 0.0;
+    for (std::size_t i = 0; i < m_propellers.size(); ++i) {
+        const PropellerForce force = m_propellers[i].behindHull(actuators.shaft_rps[i], actuators.pitch[i],
+                                                                surge_mps, m_hull.waterDensity_kgpm3);
+        sum_N += (1.0 - m_propellers[i].unit().thrustDeduction) * force.thrust_N;
+    }
+    return sum_N;
+}
+
 HullForces SandaruwanShip::hullForces(const ShipMotion& m, const Actuators& actuators,
                                       double /*depth_m*/) const {
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps;
     const Pace pace = paceAt(u);
     HullForces f;
-    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
-        const PropulsionUnit& unit = m_propulsion.units[i];
-        f.propeller.surge_N += (1.0 - unit.thrustDeduction) *
-                               openWaterThrust_N(unit, actuators.shaft_rps[i], u, m_hull.waterDensity_kgpm3);
-    }
+    f.propeller.surge_N = thrust_N(u, actuators);
     const double turning = pace.gain_perS * actuators.rudder_rad;
     f.rudder.sway_N = swayMass_kg() * m_model.swayGain_m * turning / pace.sway_s;
     f.rudder.yaw_Nm = yawInertia_kgm2() * turning / pace.yaw_s;
@@ -66,12 +71,6 @@ PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actua
     const double pace = std::max(std::abs(speedRatio), kSlowest);
     const double gain_perS = m_model.gain_perS * (m_model.scalesWithSpeed ? speedRatio : 1.0);
 
-    double thrust_N = 0.0;
-    for (std::size_t i = 0; i < m_propulsion.units.size(); ++i) {
-        const PropulsionUnit& unit = m_propulsion.units[i];
-        thrust_N += (1.0 - unit.thrustDeduction) *
-                    openWaterThrust_N(unit, actuators.shaft_rps[i], u, m_hull.waterDensity_kgpm3);
-    }
     // Yaw damping r/tau fades with speed; near rest the hull's cross flow stands in for it and for sway.
     const double nearRest = std::clamp(2.0 * (1.0 - std::abs(speedRatio) / (2.0 * kSlowest)), 0.0, 1.0);
     const Load drag =
@@ -79,7 +78,7 @@ PlanarAcceleration SandaruwanShip::acceleration(const ShipMotion& m, const Actua
     const double yawInertia_kgm2 = mass_kg * m_hull.pitchGyradius_m * m_hull.pitchGyradius_m;
 
     PlanarAcceleration a;
-    a.surge_mps2 = (thrust_N + external.surge_N - m_model.resistance_kgpm * u * std::abs(u) +
+    a.surge_mps2 = (thrust_N(u, actuators) + external.surge_N - m_model.resistance_kgpm * u * std::abs(u) +
                     (mass_kg + m_model.surgeFromTurn_kg) * v * r) /
                    (mass_kg * (1.0 + m_model.surgeAddedMassRatio));
     const double tau_s = m_model.timeConstant_s / pace;

@@ -32,6 +32,7 @@ private:
         double sway_s;  ///< tau_v
         double nearRest;
     };
+    double thrust_N(double surge_mps, const Actuators& actuators) const;
     Pace paceAt(double surge_mps) const;
     double swayMass_kg() const { return m_hull.mass_kg() * (1.0 + m_model.swayAddedMassRatio); }
     double yawInertia_kgm2() const {
@@ -41,7 +42,7 @@ private:
 
     SandaruwanModel m_model;
     Hull m_hull;
-    Propulsion m_propulsion;
+    std::vector<Propeller> m_propellers;
 };
 
 }  // namespace sagara::core

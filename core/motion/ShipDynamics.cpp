@@ -4,6 +4,7 @@
 
 #include "core/base/Units.h"
 #include "core/motion/SmoothStep.h"
+#include "core/motion/Thruster.h"
 
 namespace sagara::core {
 namespace {
@@ -13,6 +14,7 @@ struct MakeShip {
     const Vessel& vessel;
     ManoeuvringShip operator()(const PolynomialModel& model) const { return PolynomialShip(model, vessel); }
     ManoeuvringShip operator()(const SandaruwanModel& model) const { return SandaruwanShip(model, vessel); }
+    ManoeuvringShip operator()(const MmgModel& model) const { return MmgShip(model, vessel); }
 };
 
 ManoeuvringShip makeShip(const Vessel& vessel, std::string_view model) {
@@ -49,6 +51,8 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::st
       m_holds(vessel.model(model).value()->holds),
       m_shafts(vessel.propulsion.units.size()),
       m_headingFollowsRoll(vessel.model(model).value()->headingFollowsRoll),
+      m_thrusters(vessel.thrusters),
+      m_hull(vessel.hull),
       m_mass_kg(vessel.hull.mass_kg()),
       m_swayMass_kg(m_mass_kg +
                     std::visit([](const auto& ship) { return ship.swayAddedMass_kg(); }, m_model)),
@@ -74,7 +78,8 @@ HullForces ShipDynamics::hullForces(const ShipMotion& m, const Actuators& actuat
         f = {mixed(f.hull, share, other.hull), mixed(f.rudder, share, other.rudder),
              mixed(f.propeller, share, other.propeller)};
     }
-    return {planar(f.hull), planar(f.rudder), planar(f.propeller)};
+    return {planar(f.hull), planar(f.rudder),
+            planar(f.propeller + thrusterLoad(m_thrusters, m, actuators, m_hull))};
 }
 
 double ShipDynamics::shareOf(const ShipMotion& m, const Actuators& actuators) const {
@@ -87,8 +92,8 @@ double ShipDynamics::shareOf(const ShipMotion& m, const Actuators& actuators) co
            smoothStep(0.0, h.shaftFrom_rps * static_cast<double>(m_shafts), shaft_rps);
 }
 
-double ShipDynamics::rollOnSpring_radps2(const ShipMotion& m, const Load& load) const {
-    return (load.roll_Nm - m_c.rollStiffness * m.roll_rad - m_rollDamping_Nms * m.rollRate_radps) /
+double ShipDynamics::rollOnSpring_radps2(const ShipMotion& m, double heel_Nm) const {
+    return (heel_Nm - m_c.rollStiffness * m.roll_rad - m_rollDamping_Nms * m.rollRate_radps) /
            m_rollInertia_kgm2;
 }
 
@@ -96,7 +101,7 @@ PlanarAcceleration ShipDynamics::acceleration(const ShipMotion& m, const Actuato
                                               const Load& load, double depth_m) const {
     const auto of = [&](const auto& ship) {
         PlanarAcceleration a = ship.acceleration(m, actuators, load, depth_m);
-        if (!ship.ownsRoll()) a.roll_radps2 = rollOnSpring_radps2(m, load);
+        if (!ship.ownsRoll()) a.roll_radps2 = rollOnSpring_radps2(m, load.roll_Nm + a.heel_Nm);
         return a;
     };
     const double share = shareOf(m, actuators);
@@ -106,7 +111,7 @@ PlanarAcceleration ShipDynamics::acceleration(const ShipMotion& m, const Actuato
     const PlanarAcceleration a = std::visit(of, m_model);
     const auto mix = [&](double x, double y) { return share * x + (1.0 - share) * y; };
     return {mix(a.surge_mps2, b.surge_mps2), mix(a.sway_mps2, b.sway_mps2), mix(a.roll_radps2, b.roll_radps2),
-            mix(a.yaw_radps2, b.yaw_radps2)};
+            mix(a.yaw_radps2, b.yaw_radps2), 0.0};
 }
 
 Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const {
@@ -123,7 +128,7 @@ Load ShipDynamics::horizontalForce(const WaveEffect& waves, double depth_m) cons
 
 ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                                     const WaveEffect& waves, NorthEast current, double depth_m) const {
-    const Load load = external + waves.load;
+    const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a = acceleration(m, actuators, load, depth_m);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
                  lateral_mps = m.sway_mps * std::cos(m.roll_rad);

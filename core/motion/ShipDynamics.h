@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/motion/MmgShip.h"
 #include "core/motion/SandaruwanShip.h"
 #include "core/motion/WaveLoad.h"
 
@@ -11,7 +12,7 @@ namespace sagara::core {
 
 /// One alternative for each kind of model. Each is made from its parameters and the vessel and has
 /// acceleration, hullForces, forceFor, swayAddedMass_kg and ownsRoll.
-using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip>;
+using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip, MmgShip>;
 
 /// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
 /// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
@@ -28,8 +29,9 @@ public:
     ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
                           const WaveEffect& waves, NorthEast current, double depth_m = kDeepWater_m) const;
 
-    /// Forces of the water on hull, rudders and propellers alone, in the horizontal plane (other members 0).
-    /// A model that has no force for something says what force would do the same.
+    /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
+    /// the horizontal plane (other members 0). A model that has no force for something says what force would
+    /// do the same.
     HullForces hullForces(const ShipMotion& m, const Actuators& actuators,
                           double depth_m = kDeepWater_m) const;
     /// The force in the horizontal plane, of all causes together, that changes her velocities at this rate:
@@ -48,7 +50,7 @@ private:
 
     /// 1 where the chosen model holds, 0 where the other has taken over.
     double shareOf(const ShipMotion& m, const Actuators& actuators) const;
-    double rollOnSpring_radps2(const ShipMotion& m, const Load& load) const;
+    double rollOnSpring_radps2(const ShipMotion& m, double heel_Nm) const;
     PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& load,
                                     double depth_m) const;
 
@@ -57,6 +59,8 @@ private:
     std::optional<ManoeuvringShip> m_elsewhere;  ///< there with m_holds
     std::size_t m_shafts;
     bool m_headingFollowsRoll;
+    Thrusters m_thrusters;
+    Hull m_hull;
     double m_mass_kg;
     double m_swayMass_kg;
     double m_pitchInertia_kgm2;

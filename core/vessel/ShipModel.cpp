@@ -48,8 +48,9 @@ ShipModel readAs(config::Reader& in) {
 
 NamedModel readShipModel(config::Reader& in) {
     using Read = ShipModel (*)(config::Reader&);
-    const auto read = in.choiceIfKnown<Read>(
-        "kind", {{"polynomial", readAs<readPolynomial>}, {"sandaruwan2010", readAs<readSandaruwan>}});
+    const auto read = in.choiceIfKnown<Read>("kind", {{"polynomial", readAs<readPolynomial>},
+                                                      {"sandaruwan2010", readAs<readSandaruwan>},
+                                                      {"mmg", readAs<readMmg>}});
     const std::string name = in.has("name") ? in.id("name") : in.textOr("kind", "");
     const Provenance provenance = readProvenance(in);
     NamedModel model{name, provenance, {}, {}, false};

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/vessel/MmgModel.h"
 #include "core/vessel/PolynomialModel.h"
 #include "core/vessel/Provenance.h"
 
@@ -28,7 +29,7 @@ struct SandaruwanModel {
 };
 
 /// One alternative for each kind of model.
-using ShipModel = std::variant<PolynomialModel, SandaruwanModel>;
+using ShipModel = std::variant<PolynomialModel, SandaruwanModel, MmgModel>;
 
 /// Where a published model holds; elsewhere another model of the vessel takes over, smoothly in between.
 struct HoldsIn {

@@ -80,6 +80,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.seakeeping = readGroup(in, "seakeeping", readSeakeeping);
     v.propulsion = readGroup(in, "propulsion", readPropulsion);
     v.steering = readGroup(in, "steering", readSteering);
+    if (in.has("thrusters")) v.thrusters = readGroup(in, "thrusters", readThrusters);
     v.windage = readGroup(in, "windage", readWindage);
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);

@@ -10,6 +10,7 @@
 #include "core/vessel/Machinery.h"
 #include "core/vessel/Picture.h"
 #include "core/vessel/ShipModel.h"
+#include "core/vessel/Thrusters.h"
 #include "core/vessel/Windage.h"
 
 namespace sagara::core {
@@ -29,6 +30,7 @@ struct Vessel {
     Seakeeping seakeeping;
     Propulsion propulsion;
     Steering steering;
+    Thrusters thrusters;  ///< may have none
     Windage windage;
     MooringGear mooring;
     GroundTackle groundTackle;

@@ -187,6 +187,10 @@ std::vector<Option> EditorContext::choices(Source source, const std::string& pat
             if (ship)
                 for (const auto& anchor : ship->groundTackle.anchors) add(anchor.id, {});
             break;
+        case Source::Thruster:
+            if (ship)
+                for (const auto& thruster : ship->thrusters.units) add(thruster.id, {});
+            break;
         case Source::Target:
             return idsIn(document, "traffic", "name");
         case Source::Event:

@@ -48,7 +48,8 @@ enum class Source {
     Target,
     Event,
     Waypoint,
-    Picture
+    Picture,
+    Thruster
 };
 
 struct ListSpec;

@@ -17,7 +17,7 @@ constexpr double kThrustStep = 0.2;
 /// Orders by NMEA nearer to one another than this (a fifth of a degree, 0.3 %) are the same.
 constexpr double kSameOrder = 0.0035;
 /// What an order by NMEA is about; engines by their number from kEngines on.
-enum NmeaSubject { kRudder, kThruster, kHorn, kLook, kEngines };
+enum NmeaSubject { kRudder, kThruster, kSternThruster, kHorn, kLook, kEngines };
 
 template <typename... Handlers>
 struct Overloaded : Handlers... {
@@ -59,7 +59,7 @@ void BridgeInput::connectSources() {
 void BridgeInput::setShip(const BridgeShip& ship) {
     m_ship = ship;
     m_helm_rad = 0.0;
-    m_thrust = 0.0;
+    m_thrust = m_sternThrust = 0.0;
     m_nmeaLast.clear();  // what the bridge says next is an order to this ship
     m_nmeaLevers.clear();
     m_steps.assign(static_cast<std::size_t>(std::max(0, ship.shafts)), core::TelegraphStep::Stop);
@@ -130,6 +130,9 @@ void BridgeInput::takeAxis(int id, int axis, double raw) {
         case AxisUse::Look:
             if (moved) Q_EMIT lookWanted(*moved * kLook_radps);
             break;
+        case AxisUse::SternThruster:
+            if (moved) wantSternThruster(*moved);
+            break;
     }
 }
 
@@ -176,6 +179,11 @@ void BridgeInput::wantThruster(double thrust) {
     Q_EMIT thrusterWanted(m_thrust);
 }
 
+void BridgeInput::wantSternThruster(double thrust) {
+    m_sternThrust = std::clamp(thrust, -1.0, 1.0);
+    Q_EMIT sternThrusterWanted(m_sternThrust);
+}
+
 void BridgeInput::perform(BridgeAction action, int shaft, bool down) {
     if (action == BridgeAction::Horn) Q_EMIT hornWanted(down);
     if (action == BridgeAction::LookLeft) Q_EMIT lookWanted(down ? -kLook_radps : 0.0);
@@ -204,6 +212,12 @@ void BridgeInput::perform(BridgeAction action, int shaft, bool down) {
             return wantThruster(m_thrust + kThrustStep);
         case BridgeAction::ThrusterStop:
             return wantThruster(0.0);
+        case BridgeAction::SternThrusterPort:
+            return wantSternThruster(m_sternThrust - kThrustStep);
+        case BridgeAction::SternThrusterStarboard:
+            return wantSternThruster(m_sternThrust + kThrustStep);
+        case BridgeAction::SternThrusterStop:
+            return wantSternThruster(0.0);
         case BridgeAction::Acknowledge:
             return Q_EMIT acknowledgeWanted();
         case BridgeAction::Bookmark:
@@ -243,9 +257,9 @@ void BridgeInput::obey(const NmeaOrder& order) {
                               if (step || first) obeyStep(o.engine, step.value_or(nearestStep(o.lever)));
                           },
                           [this](const NmeaThruster& o) {
-                              if (!isNew(kThruster, o.thrust)) return;
+                              if (!isNew(o.atStern ? kSternThruster : kThruster, o.thrust)) return;
                               Q_EMIT anyActivity();
-                              wantThruster(o.thrust);
+                              o.atStern ? wantSternThruster(o.thrust) : wantThruster(o.thrust);
                           },
                           [this](const NmeaHorn& o) {
                               if (!isNew(kHorn, o.on ? 1.0 : 0.0)) return;

@@ -57,11 +57,14 @@ public Q_SLOTS:
     /// What was ordered otherwise (a slider, the pilot), so that steps by key and button begin there.
     void followHelm(double rudder_rad) { m_helm_rad = rudder_rad; }
     void followTelegraph(int shaft, sagara::core::TelegraphStep step);
+    void followThruster(double thrust) { m_thrust = thrust; }
+    void followSternThruster(double thrust) { m_sternThrust = thrust; }
 
 Q_SIGNALS:
     void helmWanted(double rudder_rad);
     void telegraphWanted(int shaft, sagara::core::TelegraphStep step);  ///< one shaft, counted from port
-    void thrusterWanted(double thrust);  ///< -1 full to port to 1 full to starboard
+    void thrusterWanted(double thrust);  ///< at the bow; -1 full to port to 1 full to starboard
+    void sternThrusterWanted(double thrust);
     void hornWanted(bool on);
     void lookWanted(double yaw_radps);  ///< until the next; 0: stop turning
     void acknowledgeWanted();
@@ -88,6 +91,7 @@ private:
     void wantStep(int shaft, core::TelegraphStep step);
     void shiftStep(int shaft, int steps);
     void wantThruster(double thrust);
+    void wantSternThruster(double thrust);
 
     BridgeShip m_ship;
     Joysticks* m_joysticks;
@@ -100,6 +104,7 @@ private:
     std::map<int, std::pair<BridgeAction, int>> m_heldKeys;  ///< by key: Shift may be let go before it
     double m_helm_rad = 0.0;
     double m_thrust = 0.0;
+    double m_sternThrust = 0.0;
     std::vector<core::TelegraphStep> m_steps;
     std::map<int, TelegraphLever> m_nmeaLevers;  ///< by engine
     std::map<int, double> m_nmeaLast;            ///< last order of each kind

@@ -25,9 +25,12 @@ constexpr std::array<const char*, kBridgeActions> kActionNames{"none",
                                                                "lookLeft",
                                                                "lookRight",
                                                                "acknowledge",
-                                                               "bookmark"};
-constexpr std::array<const char*, std::size(kAxisUses)> kAxisNames{"none", "rudder", "telegraph", "thruster",
-                                                                   "look"};
+                                                               "bookmark",
+                                                               "sternThrusterPort",
+                                                               "sternThrusterStarboard",
+                                                               "sternThrusterStop"};
+constexpr std::array<const char*, std::size(kAxisUses)> kAxisNames{"none",     "rudder", "telegraph",
+                                                                   "thruster", "look",   "sternThruster"};
 
 QString tr(const char* text) { return QCoreApplication::translate("ControlMap", text); }
 
@@ -66,6 +69,8 @@ QString axisUseText(AxisUse use) {
             return tr("Bow thruster");
         case AxisUse::Look:
             return tr("Look around");
+        case AxisUse::SternThruster:
+            return tr("Stern thruster");
     }
     return {};
 }
@@ -106,6 +111,12 @@ QString actionText(BridgeAction action) {
             return tr("Acknowledge alarm");
         case BridgeAction::Bookmark:
             return tr("Bookmark");
+        case BridgeAction::SternThrusterPort:
+            return tr("Stern thruster to port");
+        case BridgeAction::SternThrusterStarboard:
+            return tr("Stern thruster to starboard");
+        case BridgeAction::SternThrusterStop:
+            return tr("Stern thruster stop");
     }
     return {};
 }

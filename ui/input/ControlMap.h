@@ -11,9 +11,9 @@
 /// Which control does what. Stored as text in the settings.
 namespace sagara::ui {
 
-enum class AxisUse { None, Rudder, Telegraph, Thruster, Look };
-inline constexpr AxisUse kAxisUses[] = {AxisUse::None, AxisUse::Rudder, AxisUse::Telegraph, AxisUse::Thruster,
-                                        AxisUse::Look};
+enum class AxisUse { None, Rudder, Telegraph, Thruster, Look, SternThruster };
+inline constexpr AxisUse kAxisUses[] = {AxisUse::None,     AxisUse::Rudder, AxisUse::Telegraph,
+                                        AxisUse::Thruster, AxisUse::Look,   AxisUse::SternThruster};
 QString axisUseText(AxisUse use);
 
 /// What a button or a key does.
@@ -28,15 +28,18 @@ enum class BridgeAction {
     RudderPortFine,   ///< 1 degree
     RudderStarboardFine,
     Midships,
-    ThrusterPort,       ///< a fifth of its power more
+    ThrusterPort,       ///< bow thruster: a fifth of its power more
     ThrusterStarboard,  ///< a fifth
     ThrusterStop,
     LookLeft,   ///< as long as it is held
     LookRight,  ///< as long as it is held
     Acknowledge,
-    Bookmark
+    Bookmark,
+    SternThrusterPort,
+    SternThrusterStarboard,
+    SternThrusterStop
 };
-inline constexpr int kBridgeActions = static_cast<int>(BridgeAction::Bookmark) + 1;
+inline constexpr int kBridgeActions = static_cast<int>(BridgeAction::SternThrusterStop) + 1;
 QString actionText(BridgeAction action);
 /// Name in stored text.
 const char* actionName(BridgeAction action);

@@ -55,6 +55,12 @@ QKeySequence usualKey(BridgeAction action) {
             return QKeySequence(Qt::Key_A);
         case BridgeAction::Bookmark:
             return QKeySequence(Qt::Key_B);
+        case BridgeAction::SternThrusterPort:
+            return QKeySequence(Qt::SHIFT | Qt::Key_J);
+        case BridgeAction::SternThrusterStarboard:
+            return QKeySequence(Qt::SHIFT | Qt::Key_L);
+        case BridgeAction::SternThrusterStop:
+            return QKeySequence(Qt::SHIFT | Qt::Key_K);
     }
     return {};
 }

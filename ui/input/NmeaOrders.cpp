@@ -96,7 +96,7 @@ Answer thrusterOrder(const NmeaSentence& s) {
     const auto number = numberIn(s.field(0));
     if (!number || *number < 0.0 || *number > 99.0)
         return wrong(s, "thruster number", s.field(0), "0 to 99, odd at the bow");
-    if (static_cast<int>(*number) % 2 == 0) return none();  // stern thruster: there is none
+    const bool atStern = static_cast<int>(*number) % 2 == 0;
     // A fixed-pitch thruster is ordered by its speed, one of variable pitch by its pitch.
     const bool byPitch = s.field(2) == "V" || s.field(1).empty();
     const std::string_view mode = s.field(byPitch ? 4 : 2);
@@ -106,7 +106,7 @@ Answer thrusterOrder(const NmeaSentence& s) {
     const auto demand_pct = numberIn(text);
     if (!demand_pct || std::abs(*demand_pct) > 100.0)
         return wrong(s, "thruster demand", text, "-100 to 100 per cent");
-    return order(NmeaThruster{0.01 * *demand_pct});
+    return order(NmeaThruster{0.01 * *demand_pct, atStern});
 }
 
 Answer ownOrder(const NmeaSentence& s) {

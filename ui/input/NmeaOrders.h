@@ -25,6 +25,7 @@ struct NmeaLever {
 };
 struct NmeaThruster {
     double thrust = 0.0;  ///< -1 full to port to 1 full to starboard
+    bool atStern = false;
 };
 struct NmeaHorn {
     bool on = false;
@@ -44,7 +45,7 @@ using NmeaOrder = std::variant<NmeaRudder, NmeaTelegraph, NmeaLever, NmeaThruste
 ///   $--HTC,a,x.x,a,M,...         commanded rudder (magnitude, L or R) in manual or rudder-control mode
 ///   $--ETL,time,O,xx,...,x       engine telegraph order
 ///   $--PRC,x.x,A,...,x           lever of an engine, -100 to 100 per cent
-///   $--TRC,x,x.x,P,...           bow thruster (odd number), per cent, - to port
+///   $--TRC,x,x.x,P,...           thruster (odd number at the bow, even at the stern), per cent, - to port
 ///   $PSGR,HORN,1 | LOOK,x.x | ACK | BOOKMARK    what the standard has no sentence for; LOOK in deg/s
 core::Result<std::optional<NmeaOrder>, std::string> orderOf(const NmeaSentence& sentence);
 

@@ -105,6 +105,13 @@ std::vector<std::string> nmeaReports(const core::World& world, const core::Snaps
     for (int i = 0; i < shafts; ++i)
         out.push_back(sentence("IIRPM,S,%d,%.1f,,A", engineOfShaft(i, shafts),
                                ship.shafts_rps[static_cast<std::size_t>(i)] * 60.0));
+    // Numbered as the standard does: odd at the bow, even at the stern, each from 1 or 2 up.
+    int bow = 1, stern = 2;
+    for (std::size_t i = 0; i < ship.thrusters.size(); ++i) {
+        int& next = particulars.vessel.thrusters.units[i].position.x_m > 0.0 ? bow : stern;
+        out.push_back(sentence("IITRD,%d,%.1f,P,,V,", next, 100.0 * ship.thrusters[i].share));
+        next += 2;
+    }
     return out;
 }
 

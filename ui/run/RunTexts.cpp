@@ -24,6 +24,8 @@ QString faultName(std::int32_t index) {
             return tr("rudder jammed");
         case core::Fault::Engine:
             return tr("engine");
+        case core::Fault::Thruster:
+            return tr("thruster");
     }
     return {};
 }

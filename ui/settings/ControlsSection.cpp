@@ -21,12 +21,6 @@
 namespace sagara::ui {
 namespace {
 
-/// Not offered: no ship has a thruster yet.
-bool isThruster(BridgeAction action) {
-    return action == BridgeAction::ThrusterPort || action == BridgeAction::ThrusterStarboard ||
-           action == BridgeAction::ThrusterStop;
-}
-
 /// Only seen where there is a shaft to choose, but its place is kept.
 QComboBox* shaftChoice(int shaft, QWidget* parent) {
     auto* const box = new QComboBox(parent);
@@ -167,8 +161,7 @@ void ControlsSection::addAxis(QGridLayout* grid, int axis) {
     use->setToolTip(
         tr("What moving this axis does. Right, or pushed away from you, should be starboard, ahead "
            "and look right: else invert it."));
-    for (const AxisUse each : kAxisUses)
-        if (each != AxisUse::Thruster) use->addItem(axisUseText(each), static_cast<int>(each));
+    for (const AxisUse each : kAxisUses) use->addItem(axisUseText(each), static_cast<int>(each));
     use->setCurrentIndex(use->findData(static_cast<int>(map.use)));
     auto* const shaft = shaftChoice(map.shaft, parent);
     shaft->setObjectName(QStringLiteral("axis-shaft-%1").arg(axis));
@@ -236,9 +229,7 @@ void ControlsSection::addButton(QGridLayout* grid, int button) {
     auto* const action = new QComboBox(parent);
     action->setObjectName(QStringLiteral("button-action-%1").arg(button));
     action->setToolTip(tr("What pressing this button does"));
-    for (int i = 0; i < kBridgeActions; ++i)
-        if (!isThruster(static_cast<BridgeAction>(i)))
-            action->addItem(actionText(static_cast<BridgeAction>(i)), i);
+    for (int i = 0; i < kBridgeActions; ++i) action->addItem(actionText(static_cast<BridgeAction>(i)), i);
     action->setCurrentIndex(action->findData(static_cast<int>(map.action)));
     auto* const shaft = shaftChoice(map.shaft, parent);
     shaft->setVisible(needsShaft(map.action));

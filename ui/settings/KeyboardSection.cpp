@@ -25,6 +25,9 @@ KeyboardSection::KeyboardSection(SettingsStore& store, BridgeInput& input, QWidg
         group(tr("Steering"), {RudderPort, RudderStarboard, RudderPortFine, RudderStarboardFine, Midships}),
         0, 0);
     grid->addWidget(group(tr("Engines"), {TelegraphUp, TelegraphDown, StopEngines}), 1, 0);
+    grid->addWidget(group(tr("Thrusters"), {ThrusterPort, ThrusterStop, ThrusterStarboard, SternThrusterPort,
+                                            SternThrusterStop, SternThrusterStarboard}),
+                    1, 1);
     grid->addWidget(group(tr("Look and signals"), {LookLeft, LookRight, Horn, Acknowledge, Bookmark}), 0, 1);
     auto* const usual = new QPushButton(tr("Back to usual keys"), this);
     usual->setObjectName(QStringLiteral("usual-keys"));

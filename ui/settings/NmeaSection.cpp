@@ -49,7 +49,7 @@ NmeaSection::NmeaSection(SettingsStore& store, BridgeInput& input, QWidget* pare
       m_outputPort(new QSpinBox(this)),
       m_rate(new QSpinBox(this)),
       m_sent(new QLabel(this)) {
-    name(m_source, "nmea-source", tr("Where orders to helm and engines come from"));
+    name(m_source, "nmea-source", tr("Where orders to helm, engines and thrusters come from"));
     m_source->addItem(tr("off"), static_cast<int>(NmeaSource::Off));
     m_source->addItem(tr("network (UDP)"), static_cast<int>(NmeaSource::Udp));
     m_source->addItem(tr("serial port"), static_cast<int>(NmeaSource::Serial));
@@ -124,8 +124,7 @@ QGroupBox* NmeaSection::inputGroup() {
     form->addRow(tr("Received"), m_counts);
     form->addRow(m_error);
     form->addRow(
-        note(tr("Understood: ROR and HTC (rudder), ETL and PRC (engines), TRC (bow thruster, no ship "
-                "has one yet), PSGR "
+        note(tr("Understood: ROR and HTC (rudder), ETL and PRC (engines), TRC (thrusters), PSGR "
                 "(horn, look, acknowledge, bookmark). Each must carry its checksum. F1 shows them.")));
     return group;
 }

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QTabWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/trainee/AnchorPanel.h"
@@ -12,6 +13,7 @@
 #include "ui/trainee/LinePanel.h"
 #include "ui/trainee/ReportPanel.h"
 #include "ui/trainee/ShaftTelegraph.h"
+#include "ui/trainee/ThrusterLever.h"
 
 namespace sagara::ui::console {
 namespace {
@@ -50,10 +52,35 @@ ControlRow::ControlRow(ExerciseRun& run, std::size_t ship, QWidget* parent)
     m_wheel = new HelmWheel(vessel.steering.limit_rad, this);
     connect(m_wheel, &HelmWheel::ordered, this, &ControlRow::setHelm);
     row->addWidget(m_wheel);
+    if (!vessel.thrusters.units.empty()) row->addWidget(m_thrusterColumn = makeThrusters());
     m_autopilot = new AutopilotPanel(run, m_ship, this);
     row->addWidget(m_autopilot);
     addDeck();
     row->addWidget(m_deck, 1);
+}
+
+/// One above the other, bow on top, port on the left.
+QWidget* ControlRow::makeThrusters() {
+    auto* const side = new QWidget(this);
+    auto* const column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(3);
+    const auto& units = m_run.world()->ships[m_ship]->vessel.thrusters.units;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        auto* const lever = new ThrusterLever(
+            tr("%1 thruster").arg(spokenName(units[i].id)),
+            units[i].position.x_m > 0.0 ? tr("J port, K stop, L starboard") : tr("the same with Shift"),
+            side);
+        lever->setObjectName(QStringLiteral("thruster-%1").arg(i));
+        connect(lever, &ThrusterLever::ordered, this, [this, i](double share) {
+            m_lastOrder.start();
+            m_run.give(m_ship, core::ThrusterOrder{static_cast<std::uint8_t>(i), share});
+            Q_EMIT thrusterGiven(static_cast<int>(i), share);
+        });
+        column->addWidget(lever);
+        m_thrusters.push_back(lever);
+    }
+    return side;
 }
 
 void ControlRow::addDeck() {
@@ -77,6 +104,7 @@ void ControlRow::setColours(PaletteName name) {
 void ControlRow::setUnit(double unit) {
     for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->setFixedWidth(static_cast<int>(124.0 * unit));
     m_wheel->setFixedWidth(static_cast<int>(270.0 * unit));
+    if (m_thrusterColumn != nullptr) m_thrusterColumn->setFixedWidth(static_cast<int>(150.0 * unit));
     m_autopilot->setFixedWidth(static_cast<int>(140.0 * unit));
 }
 
@@ -90,6 +118,14 @@ void ControlRow::setHelm(double rudder_rad) {
 void ControlRow::setTelegraph(int shaft, core::TelegraphStep step) {
     if (shaft >= 0 && static_cast<std::size_t>(shaft) < m_telegraphs.size())
         m_telegraphs[static_cast<std::size_t>(shaft)]->moveTo(step);
+}
+
+void ControlRow::setThruster(int thruster, double share) {
+    if (thruster < 0 || static_cast<std::size_t>(thruster) >= m_thrusters.size()) return;
+    m_lastOrder.start();
+    m_thrusters[static_cast<std::size_t>(thruster)]->setOrder(share);
+    m_run.give(m_ship, core::ThrusterOrder{static_cast<std::uint8_t>(thruster), share});
+    Q_EMIT thrusterGiven(thruster, share);
 }
 
 void ControlRow::turnHelmBy(double rudder_rad) { m_wheel->turnTo(m_wheel->order_rad() + rudder_rad); }
@@ -108,6 +144,10 @@ void ControlRow::show(const core::Snapshot& now, const ShipReadings& readings) {
     for (std::size_t i = 0; i < std::min(m_telegraphs.size(), own.shafts_rps.size()); ++i) {
         m_telegraphs[i]->setShaft(own.shafts_rps[i]);
         if (settled) m_telegraphs[i]->setOrder(own.shaftOrders_rps[i]);
+    }
+    for (std::size_t i = 0; i < std::min(m_thrusters.size(), own.thrusters.size()); ++i) {
+        m_thrusters[i]->setThrust(own.thrusters[i].share);
+        if (settled) m_thrusters[i]->setOrder(own.thrusters[i].order);
     }
     m_autopilot->show(own, readings);
     m_lines->show(own);

@@ -18,6 +18,7 @@ class BearingList;
 class HelmWheel;
 class LinePanel;
 class ShaftTelegraph;
+class ThrusterLever;
 
 /// What is worked from the bridge: telegraphs, wheel, autopilot, deck. Follows what others order.
 class ControlRow final : public QWidget {
@@ -35,6 +36,7 @@ public:
     /// From a joystick or a bridge of other make: any angle, no whole degrees.
     void setHelm(double rudder_rad);
     void setTelegraph(int shaft, core::TelegraphStep step);
+    void setThruster(int thruster, double share);
     void turnHelmBy(double rudder_rad);
     void midships();
     void moveTelegraphs(int steps);
@@ -43,14 +45,18 @@ Q_SIGNALS:
     /// Whoever gave it: for input devices that have to follow.
     void helmGiven(double rudder_rad);
     void telegraphGiven(int shaft, sagara::core::TelegraphStep step);
+    void thrusterGiven(int thruster, double share);
 
 private:
+    QWidget* makeThrusters();
     void addDeck();
 
     ExerciseRun& m_run;
     std::uint8_t m_ship;
     HelmWheel* m_wheel;
     std::vector<ShaftTelegraph*> m_telegraphs;
+    std::vector<ThrusterLever*> m_thrusters;
+    QWidget* m_thrusterColumn = nullptr;  ///< none without thrusters
     AutopilotPanel* m_autopilot;
     LinePanel* m_lines;
     AnchorPanel* m_anchors;

@@ -27,6 +27,9 @@ void ShipAlarms::update(const AlarmInputs& now) {
     for (std::size_t i = 0; i < now.enginesStopped.size(); ++i)
         set(QStringLiteral("engine-%1").arg(i), tr("Main engine %1 shut down").arg(i + 1),
             now.enginesStopped[i]);
+    for (std::size_t i = 0; i < now.thrustersStopped.size(); ++i)
+        set(QStringLiteral("thruster-%1").arg(i), tr("Thruster %1 shut down").arg(i + 1),
+            now.thrustersStopped[i]);
     set(QStringLiteral("steering-pump"),
         now.steeringPumpsStopped > 1 ? tr("Both steering pumps stopped") : tr("Steering pump stopped"),
         now.steeringPumpsStopped > 0);

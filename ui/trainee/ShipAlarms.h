@@ -13,6 +13,7 @@ struct AlarmInputs {
     double depthAlarm_m = 0.0;
     std::optional<double> offCourse_rad;  ///< of the autopilot's heading; none when it does not steer
     std::vector<bool> enginesStopped;     ///< shut down by themselves
+    std::vector<bool> thrustersStopped;
     int steeringPumpsStopped = 0;
     double rudderBehind_rad = 0.0;  ///< order less rudder, while the rudder does not move
     bool lineParted = false;

@@ -136,6 +136,7 @@ QWidget* TraineeConsole::makeBridge(render::Stage* stage) {
             [this] { m_chart->setBearings(m_controls->bearings().bearings()); });
     connect(m_controls, &console::ControlRow::helmGiven, this, &TraineeConsole::helmGiven);
     connect(m_controls, &console::ControlRow::telegraphGiven, this, &TraineeConsole::telegraphGiven);
+    connect(m_controls, &console::ControlRow::thrusterGiven, this, &TraineeConsole::thrusterGiven);
     return bridge;
 }
 
@@ -193,6 +194,10 @@ void TraineeConsole::setTelegraph(int shaft, core::TelegraphStep step) {
     if (!m_run.over()) m_controls->setTelegraph(shaft, step);
 }
 
+void TraineeConsole::setThruster(int thruster, double share) {
+    if (!m_run.over()) m_controls->setThruster(thruster, share);
+}
+
 void TraineeConsole::soundHorn(bool on) { Q_EMIT horn(on); }
 
 void TraineeConsole::acknowledgeAlarms() { m_alarms->acknowledge(); }
@@ -241,6 +246,7 @@ void TraineeConsole::updateAlarms(const core::Snapshot& now) {
     if (own.autopilot.mode == core::AutopilotMode::Heading)
         in.offCourse_rad = core::wrapPi(own.motion.heading_rad - own.autopilot.setHeading_rad);
     in.enginesStopped = own.enginesFailed;
+    for (const core::ThrusterState& thruster : own.thrusters) in.thrustersStopped.push_back(thruster.failed);
     in.steeringPumpsStopped = own.pumpsFailed;
     in.rudderBehind_rad = m_rudderMoves ? 0.0 : own.rudderOrder_rad - own.rudder_rad;
     in.lineParted = std::any_of(own.lines.begin(), own.lines.end(), [](const core::LineState& line) {

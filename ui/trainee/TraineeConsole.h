@@ -56,6 +56,7 @@ public Q_SLOTS:
     // From input devices.
     void setHelm(double rudder_rad);
     void setTelegraph(int shaft, sagara::core::TelegraphStep step);
+    void setThruster(int thruster, double share);
     void soundHorn(bool on);
     void acknowledgeAlarms();
     void look(double yaw_radps);  ///< the view turns so fast until the next call
@@ -67,6 +68,7 @@ Q_SIGNALS:
     void endWanted();
     void helmGiven(double rudder_rad);
     void telegraphGiven(int shaft, sagara::core::TelegraphStep step);
+    void thrusterGiven(int thruster, double share);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -80,6 +80,12 @@ void EventBoard::addFaults(QVBoxLayout& layout) {
                  QStringLiteral("fault-engine-%1").arg(i),
                  {core::Fault::Engine, static_cast<std::uint8_t>(i), false},
                  [i](const View& ship) { return i < ship.enginesFailed.size() && ship.enginesFailed[i]; });
+    const auto& thrusters = m_run.world()->ships[0]->vessel.thrusters.units;
+    for (std::size_t i = 0; i < thrusters.size(); ++i)
+        addFault(*inside, tr("Thruster, %1").arg(fromStd(thrusters[i].id)),
+                 QStringLiteral("fault-thruster-%1").arg(i),
+                 {core::Fault::Thruster, static_cast<std::uint8_t>(i), false},
+                 [i](const View& ship) { return i < ship.thrusters.size() && ship.thrusters[i].failed; });
     layout.addWidget(box);
 }
 

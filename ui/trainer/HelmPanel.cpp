@@ -99,6 +99,7 @@ HelmPanel::HelmPanel(ExerciseRun& run, std::uint8_t ship, QWidget* parent)
         });
         m_telegraphs.push_back(telegraph);
     }
+    addThrusters(*form);
     connect(m_pilot, &QCheckBox::toggled, this,
             [this](bool on) { m_run.give(m_ship, core::PilotOrder{on}); });
     connect(m_rudder, &QSlider::valueChanged, this,
@@ -108,6 +109,24 @@ HelmPanel::HelmPanel(ExerciseRun& run, std::uint8_t ship, QWidget* parent)
         m_run.give(m_ship, core::HelmOrder{0.0});
     });
     refresh();
+}
+
+void HelmPanel::addThrusters(QFormLayout& form) {
+    const auto& units = m_run.world()->ships[m_ship]->vessel.thrusters.units;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        auto* const lever = new QSlider(Qt::Horizontal, this);
+        lever->setObjectName(QStringLiteral("thruster-%1").arg(i));
+        lever->setRange(-10, 10);
+        lever->setPageStep(2);
+        lever->setTickPosition(QSlider::TicksBelow);
+        lever->setTickInterval(5);
+        lever->setToolTip(tr("Thrust in tenths of full, starboard to the right"));
+        form.addRow(tr("Thruster, %1").arg(QString::fromStdString(units[i].id)), lever);
+        connect(lever, &QSlider::valueChanged, this, [this, i](int tenths) {
+            m_run.give(m_ship, core::ThrusterOrder{static_cast<std::uint8_t>(i), 0.1 * tenths});
+        });
+        m_thrusters.push_back(lever);
+    }
 }
 
 void HelmPanel::refresh() {
@@ -130,6 +149,11 @@ void HelmPanel::refresh() {
         if (m_telegraphs[i]->view()->isVisible() || !follows) continue;
         const int step = nearestStep(table, ship.shaftOrders_rps[i]);
         m_telegraphs[i]->setCurrentIndex(m_telegraphs[i]->findData(step));
+    }
+    for (std::size_t i = 0; i < std::min(m_thrusters.size(), ship.thrusters.size()); ++i) {
+        if (m_thrusters[i]->isSliderDown() || !follows) continue;
+        const QSignalBlocker still(m_thrusters[i]);
+        m_thrusters[i]->setValue(static_cast<int>(std::lround(10.0 * ship.thrusters[i].order)));
     }
 }
 

@@ -41,12 +41,7 @@ void BridgeShip::tick() {
     runPilot(script, path, ship, state, kTick_s);
     state.steering.order_rad =
         steerAutopilot_rad(ship, path, state.motion, state.autopilot, state.steering.order_rad, kTick_s);
-    Actuators actuators;
-    actuators.rudder_rad = runSteeringGear(ship.vessel.steering, state.steering, kTick_s);
-    for (std::size_t i = 0; i < ship.shaftCount(); ++i) {
-        runShaft(ship.vessel.propulsion.units[i], state.shafts[i], kTick_s);
-        actuators.shaft_rps[i] = state.shafts[i].speed_rps;
-    }
+    const Actuators actuators = runMachinery(ship, state, kTick_s);
     Load load;
     for (std::size_t k = 0; k < ship.anchorCount(); ++k)
         load = load + anchorLoad(ship.vessel.groundTackle.anchors[k], state.anchors[k], state.motion);

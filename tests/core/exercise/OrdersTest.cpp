@@ -77,6 +77,12 @@ TEST_F(Orders, EveryKindIsRead) {
     const auto routed = std::get<RouteTargetOrder>(one(
         R"("order": "routeTarget", "target": "coaster", "route": [{"at": {"lat": 6, "lon": 80}, "speed_kn": 5}])"));
     EXPECT_EQ(routed.points.size(), 1u);
+    const auto thruster =
+        std::get<ThrusterOrder>(one(R"("order": "thruster", "thruster": "bow", "thrust_percent": -40)"));
+    EXPECT_EQ(thruster.thruster, 0);
+    EXPECT_DOUBLE_EQ(thruster.share, -0.4);
+    EXPECT_EQ(std::get<FaultOrder>(one(R"("order": "fault", "fault": "thruster", "thruster": "bow")")).fault,
+              Fault::Thruster);
     EXPECT_EQ(std::get<FreezeMotionOrder>(one(R"("order": "freeMotions", "free": ["surge", "yaw"])")).free,
               33);
 }
@@ -86,6 +92,9 @@ TEST_F(Orders, WrongOnesSayWhereAndWhatIsAccepted) {
               "c.json: commands[0].line is \"breast\", expected one of head, stern, fore-spring, aft-spring");
     EXPECT_EQ(problems(R"("order": "shaft", "shaft": "middle", "speed_rpm": 1)"),
               "c.json: commands[0].shaft is \"middle\", expected one of port, starboard");
+    EXPECT_EQ(problems(R"("order": "thruster", "thruster": "stern", "thrust_percent": 120)"),
+              "c.json: commands[0].thruster is \"stern\", expected bow\n"
+              "c.json: commands[0].thrust_percent is 120, expected -100 to 100 %");
     EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 99)"),
               "c.json: commands[0].rudder_deg is 99, expected -70 to 70 deg");
     EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 5, "speed": 3)"),

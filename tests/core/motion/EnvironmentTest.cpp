@@ -73,7 +73,7 @@ TEST(CrossFlow, PureSwayAndPureSwingHaveTheirClosedForms) {
 TEST(Propeller, EssoOsakaThrustIsTheReferences) {
     const Vessel vessel = loadVessel("esso-osaka.json", test::readAsset("vessels/esso-osaka.json")).value();
     const double thrust_N =
-        openWaterThrust_N(vessel.propulsion.units[0], 51.0 / 60.0, 10 * kKnot_mps, 1025.0);
+        Propeller(vessel.propulsion.units[0]).behindHull(51.0 / 60.0, 1.0, 10 * kKnot_mps, 1025.0).thrust_N;
     EXPECT_NEAR(thrust_N / 1'430'126.0, 1.0,
                 0.001);  // esso_osaka_particulars.json, self-consistency at 10 kn
 }
@@ -81,7 +81,9 @@ TEST(Propeller, EssoOsakaThrustIsTheReferences) {
 TEST(Propeller, PushesTheRightWayInEveryQuadrant) {
     const Vessel vessel = loadVessel("patrol51.json", test::readAsset("vessels/patrol51.json")).value();
     const PropulsionUnit& unit = vessel.propulsion.units[0];
-    const auto thrust = [&](double rps, double u) { return openWaterThrust_N(unit, rps, u, 1025.0); };
+    const auto thrust = [&](double rps, double u) {
+        return Propeller(unit).behindHull(rps, 1.0, u, 1025.0).thrust_N;
+    };
     EXPECT_GT(thrust(3, 0), 0.0);
     EXPECT_GT(thrust(3, -2), thrust(3, 0));  // ahead with sternway: more
     EXPECT_LT(thrust(3, 3), thrust(3, 0));   // ahead with headway: less

@@ -53,6 +53,20 @@ TEST(Vessel, UnitsAreConvertedOnTheWayIn) {
     EXPECT_NEAR(v.hull.mass_kg(), 361998.0, 1.0);
 }
 
+TEST(Vessel, MayHaveThrustersOrNone) {
+    const Vessel v = loadVessel("patrol51", patrol()).value();
+    ASSERT_EQ(v.thrusters.units.size(), 1u);
+    EXPECT_NEAR(v.thrusters.units[0].thrust_N, tunnelThrust_N(110e3, 0.8, 1025.0), 1e-9);
+    EXPECT_EQ(v.thrusters.provenance.quality, Quality::Estimated);
+    const auto tanker = loadVessel("esso-osaka", test::readAsset("vessels/esso-osaka.json"));
+    EXPECT_TRUE(tanker->thrusters.units.empty());
+    const std::string problems = problemsOf(
+        replaced(replaced(patrol(), "\"height_m\": -1.3", "\"height_m\": 1.3"), "\"power_kW\"", "\"power\""));
+    EXPECT_NE(problems.find("thrusters.units[0].height_m is 1.3, expected -30 to 0 m"), std::string::npos)
+        << problems;
+    EXPECT_NE(problems.find("thrusters.units[0].power_kW is missing"), std::string::npos) << problems;
+}
+
 TEST(Vessel, WrongValuesAreAllNamedWithTheirPath) {
     std::string text = replaced(patrol(), "\"beam_m\": 8.6", "\"beam_m\": \"wide\"");
     text = replaced(text, "\"diameter_m\": 1.6", "\"diameter_m\": -1.6");

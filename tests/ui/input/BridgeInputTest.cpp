@@ -85,6 +85,20 @@ TEST_F(BridgeInputs, ThrusterAndLookFollowTheirAxes) {
     EXPECT_GT(look[0][0].toDouble(), 0.0);
 }
 
+TEST_F(BridgeInputs, ThrustersStepFromWhatWasOrderedOtherwise) {
+    QSignalSpy stern(&input, &BridgeInput::sternThrusterWanted);
+    input.followThruster(0.5);
+    input.perform(BridgeAction::ThrusterStarboard, kEveryShaft, true);
+    EXPECT_NEAR(thruster[0][0].toDouble(), 0.7, 1e-12);
+    input.perform(BridgeAction::SternThrusterPort, kEveryShaft, true);
+    EXPECT_NEAR(stern[0][0].toDouble(), -0.2, 1e-12);
+    input.obey(NmeaThruster{0.3, true});
+    EXPECT_NEAR(stern[1][0].toDouble(), 0.3, 1e-12);
+    EXPECT_EQ(thruster.size(), 1);
+    input.perform(BridgeAction::SternThrusterStop, kEveryShaft, true);
+    EXPECT_EQ(stern[2][0].toDouble(), 0.0);
+}
+
 TEST_F(BridgeInputs, TheHornStopsWhenTheStickIsTornOut) {
     test::VirtualStick stick(1, 2, 0);
     poll();

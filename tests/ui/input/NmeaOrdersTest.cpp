@@ -53,8 +53,11 @@ TEST(NmeaOrders, LeversAndThrustersAreInPerCent) {
     const auto pitch = read("IITRC,1,,V,25,P,,B,C");
     ASSERT_NE(orderIn<NmeaThruster>(pitch), nullptr);
     EXPECT_EQ(orderIn<NmeaThruster>(pitch)->thrust, 0.25);
-    EXPECT_FALSE(read("IITRC,2,-40.0,P,,V,,B,C")->has_value());  // stern
-    EXPECT_FALSE(read("IITRC,1,-40.0,R,,V,,B,C"));               // rpm of what?
+    EXPECT_FALSE(orderIn<NmeaThruster>(thruster)->atStern);
+    const auto stern = read("IITRC,2,-40.0,P,,V,,B,C");
+    ASSERT_NE(orderIn<NmeaThruster>(stern), nullptr);
+    EXPECT_TRUE(orderIn<NmeaThruster>(stern)->atStern);
+    EXPECT_FALSE(read("IITRC,1,-40.0,R,,V,,B,C"));  // rpm of what?
 }
 
 TEST(NmeaOrders, OwnSentencesFillTheGaps) {

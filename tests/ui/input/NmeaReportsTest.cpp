@@ -42,10 +42,12 @@ TEST(NmeaReports, EverySentenceOfTheLessonIsRight) {
         byType.emplace(parsed->type, *parsed);
     }
     for (const char* type :
-         {"HDT", "ROT", "VHW", "VTG", "GGA", "GLL", "ZDA", "DBT", "DPT", "MWV", "RSA", "RPM"})
+         {"HDT", "ROT", "VHW", "VTG", "GGA", "GLL", "ZDA", "DBT", "DPT", "MWV", "RSA", "RPM", "TRD"})
         EXPECT_EQ(byType.count(type), 1U) << type;
     const auto& shafts = world->ships[0]->vessel.propulsion.units;
-    EXPECT_EQ(lines.size(), 12 + shafts.size());
+    EXPECT_EQ(lines.size(), 12 + shafts.size() + world->ships[0]->vessel.thrusters.units.size());
+    EXPECT_EQ(byType["TRD"].field(0), "1") << "odd: at the bow";
+    EXPECT_EQ(byType["TRD"].field(1), "0.0");
     // Galle: 6 degrees north, 80 degrees east.
     EXPECT_EQ(byType["GLL"].field(0).substr(0, 2), "06");
     EXPECT_EQ(byType["GLL"].field(1), "N");

@@ -25,6 +25,7 @@
 #include "ui/trainee/ConsolePage.h"
 #include "ui/trainee/HelmWheel.h"
 #include "ui/trainee/ShaftTelegraph.h"
+#include "ui/trainee/ThrusterLever.h"
 #include "ui/trainee/ViewPanel.h"
 #include "ui/widgets/ChartWidget.h"
 
@@ -135,6 +136,29 @@ TEST_F(TraineesConsole, TelegraphsOrderTheStepsOfTheVessel) {
     sail(0.1);
     EXPECT_EQ(own().shaftOrders_rps[1], 0.0);
     m_console->setTelegraph(7, core::TelegraphStep::Stop);  // no such shaft: nothing
+}
+
+TEST_F(TraineesConsole, TheThrusterHasALeverOnlyWhereThereIsOne) {
+    takeWatch();
+    auto* const lever = find<console::ThrusterLever>("thruster-0");
+    EXPECT_EQ(m_console->findChild<QWidget*>(QStringLiteral("thruster-1")), nullptr);
+    QTest::mouseClick(lever, Qt::LeftButton, {}, QPoint(lever->width() - 16, lever->height() / 2));
+    sail(0.1);
+    EXPECT_EQ(own().thrusters[0].order, 1.0) << "far to starboard";
+    sail(5.0);
+    EXPECT_NEAR(own().thrusters[0].share, 1.0, 1e-9);
+    QTest::mouseDClick(lever, Qt::LeftButton);
+    sail(0.1);
+    EXPECT_EQ(own().thrusters[0].order, 0.0);
+    QSignalSpy given(m_console.get(), &TraineeConsole::thrusterGiven);
+    m_console->setThruster(0, -0.4);
+    m_console->setThruster(3, -0.4);  // no such thruster: nothing
+    sail(0.1);
+    EXPECT_EQ(own().thrusters[0].order, -0.4);
+    EXPECT_EQ(given.count(), 1);
+    m_run->give(0, core::FaultOrder{core::Fault::Thruster, 0, false});
+    sail(1.0);
+    EXPECT_TRUE(own().thrusters[0].failed);
 }
 
 TEST_F(TraineesConsole, FollowsWhatOthersOrder) {

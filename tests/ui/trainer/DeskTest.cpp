@@ -254,6 +254,9 @@ TEST_F(Desk, AFaultThatTheScenarioBringsTicksItsBoxAndGivesNoOrder) {
     find<QCheckBox>("fault-engine-1")->setChecked(true);
     sail(1.0);
     EXPECT_TRUE(run.latest()->ships[0].enginesFailed[1]);
+    find<QCheckBox>("fault-thruster-0")->setChecked(true);
+    sail(1.0);
+    EXPECT_TRUE(run.latest()->ships[0].thrusters[0].failed);
 }
 
 TEST_F(Desk, OnlyWeatherThatWasTouchedIsOrdered) {
