@@ -30,11 +30,11 @@ struct MmgHull {
 
 /// Where the derivatives hold, and the cross-flow drag that takes over at greater drift or swing.
 struct MmgRange {
-    double drift_rad = 0.0;         ///< derivatives hold to this drift angle; 0: nowhere
-    double yawRate = 0.0;           ///< and to this r L / U
-    double crossFlowDrag = 0.0;     ///< of the hull moved sideways
-    /// What the cross flow of the swing counts for in side force and in moment (C_rY, C_rN of Yoshimura et al.
-    /// 2009).
+    double drift_rad = 0.0;      ///< derivatives hold to this drift angle; 0: nowhere
+    double yawRate = 0.0;        ///< and to this r L / U
+    double crossFlowDrag = 0.0;  ///< of the hull moved sideways
+    /// What the cross flow of the swing counts for in side force and in moment (C_rY, C_rN of Yoshimura et
+    /// al. 2009).
     double crossFlowSwayLever = 1.0, crossFlowYawLever = 1.0;
     double asternResistance = 1.0;  ///< over that ahead
 };
