@@ -64,8 +64,8 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     h.Xvvvv = std::max(0.0, 1.1 - 6.68 * full);
     h.Xrr = 0.008 - 0.085 * full;
     h.Xvr = std::max(0.0, 1.91 * full - 0.08) - p.inertia.my;
-    p.range.drift_rad = 30.0 * kDegree_rad;
-    p.range.yawRate = 1.2;
+    p.range.drift_rad = 20.0 * kDegree_rad;
+    p.range.yawRate = 0.8;
     p.range.crossFlowDrag = d.crossFlowDrag;
     p.range.asternResistance = 1.5;
     p.wake.C1 = 2.0;
