@@ -131,7 +131,8 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a = acceleration(m, actuators, load, depth_m);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
-                 lateral_mps = m.sway_mps * std::cos(m.roll_rad);
+                 // a model without roll has its sway in the horizontal plane
+        lateral_mps = m_modelHasRoll ? m.sway_mps * std::cos(m.roll_rad) : m.sway_mps;
     ShipMotion rate;
     rate.north_m = m.surge_mps * c - lateral_mps * s + current.north_m;
     rate.east_m = m.surge_mps * s + lateral_mps * c + current.east_m;
