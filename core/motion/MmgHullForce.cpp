@@ -23,9 +23,10 @@ Coefficients polynomial(const MmgHull& k, double v, double r, double phi) {
     return {.X = -k.R0 + k.Xvv * v * v + k.Xvr * v * r + k.Xrr * r * r + k.Xvvvv * v * v * v * v +
                  k.Xrphi * r * phi,
             .Y = k.Yv * v + k.Yr * r + k.Yvvv * v * v * v + k.Yvvr * v * v * r + k.Yvrr * v * r * r +
-                 k.Yrrr * r * r * r + (k.Yphi + k.Yvvphi * v * v + k.Yvrphi * v * r + k.Yrrphi * r * r) * phi,
+                 k.Yrrr * r * r * r + k.Yvv * v * std::abs(v) + k.Yrr * r * std::abs(r) +
+                 (k.Yphi + k.Yvvphi * v * v + k.Yvrphi * v * r + k.Yrrphi * r * r) * phi,
             .N = k.Nv * v + k.Nr * r + k.Nvvv * v * v * v + k.Nvvr * v * v * r + k.Nvrr * v * r * r +
-                 k.Nrrr * r * r * r +
+                 k.Nrrr * r * r * r + k.Nvv * v * std::abs(v) + k.Nrr * r * std::abs(r) +
                  (k.Nphi + k.Nvvphi * v * v + k.Nvrphi * v * r + k.Nrrphi * r * r) * phi};
 }
 
@@ -35,7 +36,10 @@ Load unified(const MmgParameters& model, const Hull& hull, const ShipMotion& m, 
     const double u = m.surge_mps, v = m.sway_mps, rL = m.yawRate_radps * L;
     const double turned = std::abs(flow.drift_rad) / kPi;  // 0 ahead, 1 astern
     const double resistance = k.R0 * (1.0 + (model.range.asternResistance - 1.0) * turned);
-    Load f = crossFlowDrag(hull, model.range.crossFlowDrag, v, m.yawRate_radps);
+    const double drag = model.range.crossFlowDrag;
+    Load f;
+    f.sway_N = crossFlowDrag(hull, drag, v, model.range.crossFlowSwayLever * m.yawRate_radps).sway_N;
+    f.yaw_Nm = crossFlowDrag(hull, drag, v, model.range.crossFlowYawLever * m.yawRate_radps).yaw_Nm;
     f.surge_N += scale * (-resistance * u * flow.speed_mps + k.Xvr * v * rL);
     f.sway_N += scale * (k.Yv * std::abs(u) * v + k.Yr * u * rL);
     f.yaw_Nm += scale * L * (k.Nv * u * v + k.Nr * std::abs(u) * rL);

@@ -15,10 +15,11 @@ ShallowFactors shallowFactors(const Hull& hull, double depth_m) {
     f.Yv = kijima(0.40 * full);
     f.Nv = kijima(0.425 * full);
     f.Nr = kijima(std::max(0.0, 1.5 - 7.14 * 2.0 * d / L));
-    const double a1 = -5.5 * full * full + 26.0 * full - 31.5, a2 = 37.0 * full * full - 185.0 * full + 230.0,
-                 a3 = -38.0 * full * full + 197.0 * full - 250.0;
-    f.Yr = 1.0 + x * (a1 + x * (a2 + x * a3));
-    const double clearance = H - 1.0, p13 = std::pow(clearance, 1.3), p082 = std::pow(clearance, 0.82);
+    const double F = H - 1.0;
+    const double K0 = 1.0 + (0.0775 + (-0.0110 + 0.000068 / (F * F)) / F) / (F * F);
+    const double finite = 2.2 * B / L - 0.080 * B / d;
+    f.Yr = (0.5 * K0 - finite) / (0.5 - finite);
+    const double p13 = std::pow(F, 1.3), p082 = std::pow(F, 0.82);
     f.mx = (p13 + std::max(0.0, 3.77 + 1.14 * B / d - 0.233 * L / d - 3.43 * Cb)) / p13;
     f.my = (p082 + 0.413 + 0.032 * B / d + 0.0129 * B * B / (d * d)) / p082;
     f.Jz = (p082 + 0.413 + 0.0192 * B / d + 0.00554 * B * B / (d * d)) / p082;
@@ -40,16 +41,13 @@ MmgParameters mmgInDepth(const MmgParameters& deep, const Hull& hull, double dep
     k.R0 *= f.resistance;
     k.Xvr *= f.my;  // it is a share of m_y
     k.Yv *= f.Yv;
-    k.Yvvv *= f.Yv;
     k.Nv *= f.Nv;
-    k.Nvvv *= f.Nv;
-    k.Nvvr *= f.Nv;
     k.Nr *= f.Nr;
-    k.Nvrr *= f.Nr;
-    k.Nrrr *= f.Nr;
-    const double m = 2.0 * hull.displacement_m3 / (hull.lengthBp_m * hull.lengthBp_m * hull.draught_m);
-    k.Yr = f.Yr * (k.Yr - m - deep.inertia.mx) + m + p.inertia.mx;
-    p.range.crossFlowDrag *= f.Yv;
+    k.Nrr *= f.Nr;
+    for (double* ofCrossFlow : {&k.Yvvv, &k.Yvvr, &k.Yvrr, &k.Yrrr, &k.Yvv, &k.Yrr, &k.Nvvv, &k.Nvvr, &k.Nvrr,
+                                &k.Nrrr, &k.Nvv, &p.range.crossFlowDrag})
+        *ofCrossFlow *= f.Yv;
+    k.Yr *= f.Yr;
     p.wake.inflow *= f.inflow;
     p.wake.push *= f.push;
     p.rudder.gammaPort *= f.straightening;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/vessel/MmgModel.h"
 #include "core/vessel/Particulars.h"
 #include "core/vessel/WageningenB.h"
 
@@ -41,6 +42,9 @@ Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form);
 /// ITTC 1957 line over the wetted surface of Denny and Mumford.
 double frictionalResistance_N(const Form& form, double speed_mps);
 
+/// Height over chord of an estimated rudder.
+inline constexpr double kRudderAspect = 1.6;
+
 /// Rudders: area by the DNV rule or as usual for the kind, lift by Fujii, wake and race by the MMG model at
 /// the service speed.
 struct Rudders {
@@ -63,5 +67,12 @@ struct Derivatives {
     double crossFlowDrag;  ///< Kijima et al. (1990): 2.5 T (1 - Cb) / B + 0.5
 };
 Derivatives derivativesOf(const Form& form);
+
+/// Quadratic and higher derivatives of Kijima, Katsuno, Nakiri and Furukawa (1990), J. SNAJ 168, in lateral
+/// velocity; other members 0.
+MmgHull kijimaNonlinear(double length_m, double beam_m, double draught_m, double block);
+/// The whole MMG model: linear derivatives of Clarke et al., the rest of Kijima et al.; X of Yoshimura and
+/// Masumoto (2012); rudder of these, Kijima and Quadvlieg (2013).
+MmgParameters mmgOf(const Form& form, const Drive& drive, const Rudders& rudders);
 
 }  // namespace sagara::core::estimate

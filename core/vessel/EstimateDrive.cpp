@@ -109,13 +109,13 @@ Rudders ruddersOf(const Particulars& p, const ShipKind& kind, const Form& f, con
     if (!inRace) area_m2 *= 1.3;  // DNV: where rudders do not work directly behind a propeller
     r.areaEach_m2 = area_m2 / p.rudders;
 
-    constexpr double kAspect = 1.6, kShare = 0.5;  // height over chord; the race's part that has built up
+    constexpr double kShare = 0.5;  // the race's part that has built up
     const double hullShare = 0.6784 - 1.3374 * f.block + 1.8891 * f.block * f.block;  // aH, Kijima (1990)
-    const double fujii = 6.13 * kAspect / (kAspect + 2.25);
+    const double fujii = 6.13 * kRudderAspect / (kRudderAspect + 2.25);
     const double wake = inRace ? drive.wake : 0.5 * drive.wake;
     r.liftSlope_perRad = fujii * (1.0 + hullShare) * (1.0 - wake) * (1.0 - wake);
     if (inRace) {
-        const double covered = std::min(1.0, drive.diameter_m / std::sqrt(kAspect * r.areaEach_m2));
+        const double covered = std::min(1.0, drive.diameter_m / std::sqrt(kRudderAspect * r.areaEach_m2));
         const double inflow2 = (1.0 - drive.wake) * (1.0 - drive.wake);
         const double s = std::sqrt(1.0 + drive.addedRace() / inflow2);
         const double built = 1.0 + kShare * (s - 1.0);

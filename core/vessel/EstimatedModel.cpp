@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/Units.h"
@@ -9,76 +8,89 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The rudder amidships is a fin: the inflow turned by drift and yaw at the stern, straightened by the hull.
-constexpr double kStraightening = 0.4, kFinLever = 0.71;  // KVLCC2, Yasukawa and Yoshimura (2015)
-/// The set is used at its low-speed end at all speeds: see the source of the group.
-constexpr double kHoldsFrom_mps = 30.0, kWholeBelow_mps = 29.5;
+Json marked(Json group, const char* source) {
+    group["source"] = source;
+    group["quality"] = "estimated";
+    return group;
+}
 
-Json finTerms(const Form& f, const Drive& drive, const Rudders& r) {
-    const double area_m2 = r.areaEach_m2 * static_cast<double>(r.across_m.size());
-    const double force = 0.5 * kWater_kgpm3 * area_m2 * r.liftSlope_perRad * kStraightening *
-                         (1.0 + r.raceShare * drive.addedRace());
-    const double lever_m = kFinLever * f.length_m;
-    return {{{"of", "|u| v"}, {"Y", neat(-force)}, {"N", neat(force * r.yawLever_m)}},
-            {{"of", "|u| r"}, {"Y", neat(force * lever_m)}, {"N", neat(-force * lever_m * r.yawLever_m)}}};
+Json inertiaGroup(const MmgInertia& i) {
+    return marked({{"xG_m", neat(i.xG_m)},
+                   {"yawGyradius_m", neat(i.yawGyradius_m)},
+                   {"mx", neat(i.mx)},
+                   {"my", neat(i.my)},
+                   {"Jz", neat(i.Jz)}},
+                  "centre of gravity over that of buoyancy usual for the Froude number (Guldhammer & Harvald "
+                  "1974); added masses: Soeding 1982 in surge, Clarke, Gedling & Hine 1983 in sway and yaw");
+}
+
+Json hullGroup(const MmgHull& h) {
+    return marked(
+        {{"R0", neat(h.R0)},
+         {"Xvv", neat(h.Xvv)},
+         {"Xvr", neat(h.Xvr)},
+         {"Xrr", neat(h.Xrr)},
+         {"Xvvvv", neat(h.Xvvvv)},
+         {"Yv", neat(h.Yv)},
+         {"Yr", neat(h.Yr)},
+         {"Yvv", neat(h.Yvv)},
+         {"Yrr", neat(h.Yrr)},
+         {"Yvvr", neat(h.Yvvr)},
+         {"Yvrr", neat(h.Yvrr)},
+         {"Nv", neat(h.Nv)},
+         {"Nr", neat(h.Nr)},
+         {"Nvv", neat(h.Nvv)},
+         {"Nrr", neat(h.Nrr)},
+         {"Nvvr", neat(h.Nvvr)},
+         {"Nvrr", neat(h.Nvrr)}},
+        "linear derivatives: Clarke, Gedling & Hine 1983; higher ones: Kijima, Katsuno, Nakiri & Furukawa "
+        "1990; X: Yoshimura & Masumoto 2012; resistance: what the propeller overcomes at the service speed "
+        "with 85 % of the power; good to 20 to 30 % in turning");
+}
+
+Json rangeGroup(const MmgRange& r) {
+    return marked(
+        {{"drift_deg", neat(r.drift_rad / kDegree_rad)},
+         {"yawRate", neat(r.yawRate)},
+         {"crossFlowDrag", neat(r.crossFlowDrag)},
+         {"asternResistance", neat(r.asternResistance)}},
+        "the regressions serve hard-over turns; beyond, the cross-flow drag of Kijima et al. 1990 in "
+        "pure drift, 2.5 T (1 - Cb) / B + 0.5");
+}
+
+Json wakeGroup(const MmgWake& w) {
+    return marked({{"C1", neat(w.C1)}, {"C2port", neat(w.C2port)}, {"C2starboard", neat(w.C2starboard)}},
+                  "as of KVLCC2, mean of both sides (Yasukawa & Yoshimura 2015)");
+}
+
+Json rudderGroup(const MmgRudder& r) {
+    return marked({{"height_m", neat(r.height_m)},
+                   {"liftSlope", neat(r.liftSlope)},
+                   {"tR", neat(r.tR)},
+                   {"aH", neat(r.aH)},
+                   {"xH", neat(r.xH)},
+                   {"lR", neat(r.lR)},
+                   {"gammaPort", neat(r.gammaPort)},
+                   {"gammaStarboard", neat(r.gammaStarboard)},
+                   {"epsilon", neat(r.epsilon)},
+                   {"kappa", neat(r.kappa)}},
+                  "lift: Fujii for an aspect ratio of 1.6; tR, straightening: Yoshimura & Masumoto 2012; aH: "
+                  "Quadvlieg 2013; epsilon: Kijima et al. 1990, the race built up to 0.55; lR between KVLCC2 "
+                  "and KCS");
 }
 
 }  // namespace
 
 Json modelGroup(const Form& f, const Drive& drive, const Rudders& rudders) {
-    const Derivatives d = derivativesOf(f);
-    const double mass_kg = f.mass_kg();
-    const double rollInertia = mass_kg * f.rollGyradius_m * f.rollGyradius_m;
-    const double rollCritical =
-        2.0 * std::sqrt(1.2 * rollInertia * mass_kg * kGravity_mps2 * f.metacentric_m);
-    const double depth_m = 0.35 * f.draught_m;  // of the hull's side force below the waterline
-    constexpr double kRollDamping = 0.05, kRollDampingUnderWay = 0.04;
-    Json terms = Json::array();
-    const auto lateral = [&](const char* of, double Y) {
-        terms.push_back({{"of", of}, {"Y", neat(Y)}, {"K", neat(-depth_m * Y)}});
-    };
-    terms.push_back(
-        {{"of", "u |u|"}, {"X", neat(-drive.resistance_N / (drive.speed_mps * drive.speed_mps))}});
-    terms.push_back({{"of", "v r"}, {"X", neat(d.Xvr)}});
-    terms.push_back({{"of", "v^2"}, {"X", neat(d.Xvv)}, {"turnsAstern", true}});
-    lateral("|u| v", d.Yv);
-    lateral("u r", d.Yr);
-    terms.push_back({{"of", "|u| v"}, {"N", neat(d.Nv)}, {"turnsAstern", true}});
-    terms.push_back({{"of", "|u| r"}, {"N", neat(d.Nr)}});
-    for (Json& term : finTerms(f, drive, rudders)) terms.push_back(std::move(term));
-    terms.push_back({{"of", "p"}, {"K", neat(-kRollDamping * rollCritical)}});
-    terms.push_back({{"of", "|u| p"}, {"K", neat(-kRollDampingUnderWay * rollCritical / drive.speed_mps)}});
-
-    Json model{{"kind", "polynomial"},
-               {"source",
-                "linear derivatives and added masses: Clarke, Gedling & Hine 1983; surge added mass: Soeding "
-                "1982; X of v r: Hasegawa 1980, of v^2: Yoshimura & Masumoto 2012; rudder amidships as "
-                "a fin with a straightening of 0.4; large drift and yaw by cross flow, see "
-                "lowSpeedExtension, which is in "
-                "force at all speeds; good to 20 to 30 % in turning; the drag of the rudder is not in it"},
-               {"quality", "estimated"}};
-    model["rigidBody"] = {{"mass_kg", neat(mass_kg)},
-                          {"xG_m", 0.0},
-                          {"zG_m", neat(f.draught_m - f.gravityHeight_m)},
-                          {"Ixx_kgm2", neat(rollInertia)},
-                          {"Izz_kgm2", neat(mass_kg * 0.0625 * f.length_m * f.length_m)}};
-    model["addedMass"] = {{"Xudot", neat(d.Xudot)}, {"Yvdot", neat(d.Yvdot)},
-                          {"Yrdot", neat(d.Yrdot)}, {"Kpdot", neat(-0.2 * rollInertia)},
-                          {"Nvdot", neat(d.Nvdot)}, {"Nrdot", neat(d.Nrdot)}};
-    model["terms"] = terms;
-    model["published"] = {{"rudderYawLever_m", neat(rudders.yawLever_m)},
-                          {"rudderRollLever_m", neat(0.5 * f.draught_m)},
-                          {"thrust_N", neat(drive.resistance_N)},
-                          {"atShaft_rps", neat(drive.shaft_rps)},
-                          {"holdsFrom_mps", kHoldsFrom_mps},
-                          {"holdsTo_mps", kHoldsFrom_mps}};
-    model["lowSpeedExtension"] = {
-        {"wholeBelow_mps", kWholeBelow_mps},
-        {"crossFlowDrag", neat(d.crossFlowDrag)},
-        {"source",
-         "cross-flow drag coefficient of Kijima et al. 1990 in pure drift, 2.5 T (1 - Cb) / B + 0.5; there "
-         "is "
-         "no published set, so that propellers work by KT(J) and rudders in their race at every speed"}};
+    const MmgParameters p = mmgOf(f, drive, rudders);
+    Json model = marked({{"kind", "mmg"}},
+                        "MMG standard method (Yasukawa & Yoshimura 2015) with every group from published "
+                        "regressions on the main particulars");
+    model["inertia"] = inertiaGroup(p.inertia);
+    model["hull"] = hullGroup(p.hull);
+    model["range"] = rangeGroup(p.range);
+    model["wake"] = wakeGroup(p.wake);
+    model["rudder"] = rudderGroup(p.rudder);
     return model;
 }
 

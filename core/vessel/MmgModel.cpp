@@ -32,7 +32,8 @@ MmgHull readHullDerivatives(const config::Node& node, Provenance& source) {
           {"Yrrr", &h.Yrrr},        {"Nvvv", &h.Nvvv}, {"Nvvr", &h.Nvvr},     {"Nvrr", &h.Nvrr},
           {"Nrrr", &h.Nrrr},        {"Yphi", &h.Yphi}, {"Yvvphi", &h.Yvvphi}, {"Yvrphi", &h.Yvrphi},
           {"Yrrphi", &h.Yrrphi},    {"Nphi", &h.Nphi}, {"Nvvphi", &h.Nvvphi}, {"Nvrphi", &h.Nvrphi},
-          {"Nrrphi", &h.Nrrphi}})
+          {"Nrrphi", &h.Nrrphi},    {"Yvv", &h.Yvv},   {"Yrr", &h.Yrr},       {"Nvv", &h.Nvv},
+          {"Nrr", &h.Nrr}})
         *value = in.numberOr(key, 0.0, kDerivative);
     source = readProvenance(in);
     in.rejectUnknownKeys();
@@ -45,6 +46,8 @@ MmgRange readRange(const config::Node& node, Provenance& source) {
     r.drift_rad = kDegree_rad * in.number("drift_deg", {0.0, 60.0, "deg"});
     r.yawRate = in.number("yawRate", {0.0, 3.0, ""});
     r.crossFlowDrag = in.number("crossFlowDrag", {0.1, 3.0, ""});
+    r.crossFlowSwayLever = in.numberOr("crossFlowSwayLever", 1.0, {0.0, 3.0, ""});
+    r.crossFlowYawLever = in.numberOr("crossFlowYawLever", 1.0, {0.0, 3.0, ""});
     r.asternResistance = in.number("asternResistance", {0.5, 4.0, ""});
     source = readProvenance(in);
     in.rejectUnknownKeys();

@@ -21,6 +21,8 @@ struct MmgHull {
     double R0 = 0.0;
     double Xvv = 0.0, Xvr = 0.0, Xrr = 0.0, Xvvvv = 0.0, Xrphi = 0.0;
     double Yv = 0.0, Yr = 0.0, Yvvv = 0.0, Yvvr = 0.0, Yvrr = 0.0, Yrrr = 0.0;
+    /// Of v|v| and r|r|, where a set has these in the place of the cubes (Kijima et al. 1990).
+    double Yvv = 0.0, Yrr = 0.0, Nvv = 0.0, Nrr = 0.0;
     double Nv = 0.0, Nr = 0.0, Nvvv = 0.0, Nvvr = 0.0, Nvrr = 0.0, Nrrr = 0.0;
     double Yphi = 0.0, Yvvphi = 0.0, Yvrphi = 0.0, Yrrphi = 0.0;
     double Nphi = 0.0, Nvvphi = 0.0, Nvrphi = 0.0, Nrrphi = 0.0;
@@ -28,9 +30,12 @@ struct MmgHull {
 
 /// Where the derivatives hold, and the cross-flow drag that takes over at greater drift or swing.
 struct MmgRange {
-    double drift_rad = 0.0;         ///< derivatives hold to this drift angle; 0: nowhere
-    double yawRate = 0.0;           ///< and to this r L / U
-    double crossFlowDrag = 0.0;     ///< of the hull moved sideways
+    double drift_rad = 0.0;      ///< derivatives hold to this drift angle; 0: nowhere
+    double yawRate = 0.0;        ///< and to this r L / U
+    double crossFlowDrag = 0.0;  ///< of the hull moved sideways
+    /// What the cross flow of the swing counts for in side force and in moment (C_rY, C_rN of Yoshimura et
+    /// al. 2009).
+    double crossFlowSwayLever = 1.0, crossFlowYawLever = 1.0;
     double asternResistance = 1.0;  ///< over that ahead
 };
 

@@ -134,7 +134,7 @@ TEST(Vessel, ModelsOfTheSameNameAreRefused) {
     EXPECT_EQ(problemsOf(withModels("{")),
               "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
     EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
-              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010");
+              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010, mmg");
 }
 
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {

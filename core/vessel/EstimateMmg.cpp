@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/Units.h"
+#include "core/vessel/Estimate.h"
+
+namespace sagara::core::estimate {
+namespace {
+
+MmgInertia inertiaOf(const Form& f, const Drive& drive, const Derivatives& d) {
+    const double L = f.length_m, scale_kg = 0.5 * kWater_kgpm3 * L * L * f.draught_m;
+    const double froude = drive.speed_mps / std::sqrt(kGravity_mps2 * L);
+    MmgInertia i;
+    i.xG_m = L * std::clamp(0.0970 - 0.45 * froude, -0.035, 0.035);
+    i.yawGyradius_m = 0.25 * L;
+    i.mx = -d.Xudot / scale_kg;
+    i.my = -d.Yvdot / scale_kg;
+    i.Jz = -d.Nrdot / (scale_kg * L * L);
+    return i;
+}
+
+/// Linear terms of Clarke et al. from SI to the MMG method's scales.
+void addLinear(MmgHull& h, const Form& f, const Derivatives& d) {
+    const double scale = 0.5 * kWater_kgpm3 * f.length_m * f.draught_m, L = f.length_m;
+    h.Yv = d.Yv / scale;
+    h.Yr = d.Yr / (scale * L);
+    h.Nv = d.Nv / (scale * L);
+    h.Nr = d.Nr / (scale * L * L);
+}
+
+}  // namespace
+
+MmgHull kijimaNonlinear(double length_m, double beam_m, double draught_m, double block) {
+    const double full = block * beam_m / length_m, fine = draught_m * (1.0 - block) / beam_m,
+                 deep = draught_m * block / beam_m;
+    MmgHull h;  // from drift angle to lateral velocity, beta = -v
+    h.Yvv = -(2.5 * fine + 0.5);
+    h.Yrr = 0.343 * deep - 0.07;
+    h.Yvrr = -5.95 * fine;
+    h.Yvvr = 1.5 * deep - 0.65;
+    h.Nvv = 0.96 * fine - 0.066;
+    h.Nrr = 0.5 * full - 0.09;
+    h.Nvrr = 0.5 * full - 0.05;
+    h.Nvvr = -(57.5 * full * full - 18.4 * full + 1.6);
+    return h;
+}
+
+MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
+    const Derivatives d = derivativesOf(f);
+    const double full = f.block * f.beam_m / f.length_m;
+    MmgParameters p;
+    p.inertia = inertiaOf(f, drive, d);
+    MmgHull& h = p.hull = kijimaNonlinear(f.length_m, f.beam_m, f.draught_m, f.block);
+    h.Nrr = std::min(h.Nrr, -0.005);  // of very beamy hulls it would drive the swing
+    addLinear(h, f, d);
+    h.R0 = drive.resistance_N /
+           (0.5 * kWater_kgpm3 * f.length_m * f.draught_m * drive.speed_mps * drive.speed_mps);
+    h.Xvv = std::min(0.0, 1.15 * full - 0.18);
+    h.Xvvvv = std::max(0.0, 1.1 - 6.68 * full);
+    h.Xrr = 0.008 - 0.085 * full;
+    h.Xvr = std::max(0.0, 1.91 * full - 0.08) - p.inertia.my;
+    p.range.drift_rad = 30.0 * kDegree_rad;
+    p.range.yawRate = 1.2;
+    p.range.crossFlowDrag = d.crossFlowDrag;
+    p.range.asternResistance = 1.5;
+    p.wake.C1 = 2.0;
+    p.wake.C2port = p.wake.C2starboard = std::min(1.35, 1.0 / (1.0 - drive.wake));
+    MmgRudder& r = p.rudder;
+    r.height_m = std::sqrt(kRudderAspect * rudders.areaEach_m2);
+    r.liftSlope = 6.13 * kRudderAspect / (kRudderAspect + 2.25);
+    r.tR = 0.39;
+    r.aH = std::max(0.1, 0.627 * f.block - 0.153);
+    r.xH = -0.45;
+    r.lR = -0.75;
+    r.gammaPort = r.gammaStarboard = std::clamp(2.06 * full + 0.14, 0.25, 0.6);
+    r.epsilon = std::clamp(-156.2 * full * full + 41.6 * full - 1.76, 0.85, 1.1);
+    r.kappa = 0.55 / r.epsilon;
+    return p;
+}
+
+}  // namespace sagara::core::estimate
