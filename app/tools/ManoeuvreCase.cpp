@@ -48,6 +48,7 @@ void readRun(Reader in, ManoeuvreOptions& o) {
     o.rudder_deg = optionalNumber(in, "rudder_deg", {-90.0, 90.0, "deg"});
     o.heading_deg = optionalNumber(in, "heading_deg", {0.1, 180.0, "deg"});
     if (in.has("first")) o.starboardFirst = in.choice<bool>("first", {{"starboard", true}, {"port", false}});
+    o.look_s = in.numberOr("look_s", 0.0, {0.001, 1.0, "s"});
     o.speed_mps = optionalNumber(in, "speed_mps", {0.05, 60.0, "m/s"});
     o.shaft_rps = optionalNumber(in, "shaft_rps", {0.01, 100.0, "1/s"});
     in.rejectUnknownKeys();

@@ -8,7 +8,10 @@
 namespace sagara::core {
 
 TrialShip::TrialShip(const Vessel& vessel, std::string_view model, double depth_m)
-    : m_vessel(vessel), m_dynamics(m_vessel, m_calm, model), m_depth_m(depth_m) {}
+    : m_vessel(vessel),
+      m_propellers(propellersOf(m_vessel.propulsion)),
+      m_dynamics(m_vessel, m_calm, model),
+      m_depth_m(depth_m) {}
 
 void TrialShip::begin(const Approach& approach) {
     m_state = {};
@@ -27,10 +30,10 @@ ShipMotion TrialShip::rate(const ShipMotion& motion, const Actuators& actuators)
 void TrialShip::step(double step_s) {
     Actuators actuators;
     actuators.rudder_rad = runSteeringGear(m_vessel.steering, m_state.gear, step_s);
-    for (std::size_t i = 0; i < m_vessel.propulsion.units.size(); ++i) {
-        runShaft(m_vessel.propulsion.units[i], m_state.shafts[i], step_s);
-        actuators.shaft_rps[i] = m_state.shafts[i].speed_rps;
-    }
+    runShafts(m_propellers, m_state.shafts, m_state.motion,
+              m_vessel.steering.rudders.empty() ? m_state.gear.angle_rad : 0.0,
+              m_vessel.hull.waterDensity_kgpm3, step_s);
+    showShafts(m_propellers, m_state.shafts, actuators);
     m_state.motion = rk4Step(m_state.motion, step_s, [&](const ShipMotion& m) { return rate(m, actuators); });
     m_state.time_s += step_s;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "core/bridge/ShaftControl.h"
 #include "core/bridge/SteeringGear.h"
@@ -31,7 +31,7 @@ public:
     struct State {
         ShipMotion motion;
         SteeringGearState gear;
-        std::array<ShaftState, kMostShafts> shafts{};
+        ShaftStates shafts{};
         double time_s = 0.0;
     };
     const State& state() const { return m_state; }
@@ -57,6 +57,7 @@ private:
 
     Vessel m_vessel;
     WaveTable m_calm{1, 1e6};
+    std::vector<Propeller> m_propellers;
     ShipDynamics m_dynamics;
     double m_depth_m;
     State m_state;
