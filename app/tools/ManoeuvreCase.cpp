@@ -69,9 +69,10 @@ Measure readMeasure(Reader in) {
     m.name = in.text("name");
     m.overDeep = in.flagOr("overDeep", false);
     m.row.quantity = m.overDeep ? m.name + " over deep" : m.name;
-    m.row.reference = in.number("reference", {-1e6, 1e6, ""});
+    m.row.atMost = in.has("atMost");
+    m.row.reference = in.number(m.row.atMost ? "atMost" : "reference", {-1e6, 1e6, ""});
     m.row.share = in.has("share");
-    m.row.tolerance = in.number(m.row.share ? "share" : "within", {0.0, 1e6, ""});
+    if (!m.row.atMost) m.row.tolerance = in.number(m.row.share ? "share" : "within", {0.0, 1e6, ""});
     in.rejectUnknownKeys();
     return m;
 }
@@ -123,7 +124,8 @@ void addTraceRows(ValidationOutcome& outcome, const Trace& trace, const core::Tr
     if (trial.samples.size() < 2) return;
     const TraceError e = compare(trial, published);
     const auto add = [&](const char* quantity, double error, const std::optional<double>& tolerance) {
-        if (tolerance) outcome.rows.push_back({quantity, error, 0.0, *tolerance, false});
+        if (tolerance)
+            outcome.rows.push_back({.quantity = quantity, .measured = error, .tolerance = *tolerance});
     };
     add("track, largest error over L", e.position_m / trial.length_m, trace.position_L);
     add("heading, largest error, deg", e.heading_deg, trace.heading_deg);
