@@ -95,6 +95,7 @@ Approach TrialShip::holding(double speed_mps) {
     };
     const double full_rps =
         m_vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::FullAhead)];
+    if (std::abs(surplus(full_rps)) < 1e-9) return {speed_mps, full_rps};  // no thrust of its own in the set
     constexpr int kRungs = 400;  // up to ten times full ahead: thrust need not grow steadily from 0
     for (int i = 1; i <= kRungs; ++i) {
         double low = 10.0 * full_rps * (i - 1) / kRungs, high = 10.0 * full_rps * i / kRungs;
