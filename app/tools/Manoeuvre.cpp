@@ -62,7 +62,8 @@ core::Trial tryManoeuvre(const core::Vessel& vessel, const ManoeuvreOptions& o) 
                 ship,
                 {.rudder_rad = std::abs(rudder_rad),
                  .switch_rad = o.heading_deg ? *o.heading_deg * core::kDegree_rad : std::abs(rudder_rad),
-                 .starboardFirst = o.starboardFirst.value_or(rudder_rad >= 0.0)},
+                 .starboardFirst = o.starboardFirst.value_or(rudder_rad >= 0.0),
+                 .look_s = o.look_s},
                 options);
         case Test::Spiral:
             return core::runSpiral(ship, {.rudder_rad = rudder_rad}, options);

@@ -17,6 +17,7 @@ struct ManoeuvreOptions {
     std::optional<double> rudder_deg;    ///< positive to starboard; none: usual for the test
     std::optional<double> heading_deg;   ///< at which a zigzag switches; none: as the rudder
     std::optional<bool> starboardFirst;  ///< a zigzag; none: by the sign of the rudder
+    double look_s = 0.0;                 ///< see core::Zigzag
     std::optional<double> speed_mps;     ///< none: full ahead by telegraph
     std::optional<double> shaft_rps;     ///< none: what holds that speed
     std::optional<double> duration_s;    ///< none: as long as the measures need

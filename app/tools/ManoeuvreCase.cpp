@@ -48,6 +48,7 @@ void readRun(Reader in, ManoeuvreOptions& o) {
     o.rudder_deg = optionalNumber(in, "rudder_deg", {-90.0, 90.0, "deg"});
     o.heading_deg = optionalNumber(in, "heading_deg", {0.1, 180.0, "deg"});
     if (in.has("first")) o.starboardFirst = in.choice<bool>("first", {{"starboard", true}, {"port", false}});
+    o.look_s = in.numberOr("look_s", 0.0, {0.001, 1.0, "s"});
     o.speed_mps = optionalNumber(in, "speed_mps", {0.05, 60.0, "m/s"});
     o.shaft_rps = optionalNumber(in, "shaft_rps", {0.01, 100.0, "1/s"});
     in.rejectUnknownKeys();
@@ -68,9 +69,10 @@ Measure readMeasure(Reader in) {
     m.name = in.text("name");
     m.overDeep = in.flagOr("overDeep", false);
     m.row.quantity = m.overDeep ? m.name + " over deep" : m.name;
-    m.row.reference = in.number("reference", {-1e6, 1e6, ""});
+    m.row.atMost = in.has("atMost");
+    m.row.reference = in.number(m.row.atMost ? "atMost" : "reference", {-1e6, 1e6, ""});
     m.row.share = in.has("share");
-    m.row.tolerance = in.number(m.row.share ? "share" : "within", {0.0, 1e6, ""});
+    if (!m.row.atMost) m.row.tolerance = in.number(m.row.share ? "share" : "within", {0.0, 1e6, ""});
     in.rejectUnknownKeys();
     return m;
 }
@@ -122,7 +124,8 @@ void addTraceRows(ValidationOutcome& outcome, const Trace& trace, const core::Tr
     if (trial.samples.size() < 2) return;
     const TraceError e = compare(trial, published);
     const auto add = [&](const char* quantity, double error, const std::optional<double>& tolerance) {
-        if (tolerance) outcome.rows.push_back({quantity, error, 0.0, *tolerance, false});
+        if (tolerance)
+            outcome.rows.push_back({.quantity = quantity, .measured = error, .tolerance = *tolerance});
     };
     add("track, largest error over L", e.position_m / trial.length_m, trace.position_L);
     add("heading, largest error, deg", e.heading_deg, trace.heading_deg);

@@ -16,7 +16,7 @@ namespace {
 
 std::string shown(double value) { return fmt::format("{:.4g}", value); }
 std::string shown(double value, bool share) {
-    return share ? fmt::format("{:.3g} %", 100.0 * value) : shown(value);
+    return share ? fmt::format("{:.3g} %", 100.0 * value) : fmt::format("{:.2g}", value);
 }
 
 std::string csvRow(const ValidationResult& r, const ValidationRow& row) {

@@ -31,7 +31,8 @@ core::Result<ValidationResult, core::config::Problems> runValidation(const Valid
     ValidationResult result{id, in.text("title"), {}, in.text("source"), {}};
     result.evidence = in.choice<const char*>(
         "evidence", {{"verification", "verification"}, {"validation", "validation"}, {"trend", "trend"}});
-    if (const auto run = in.choiceIfKnown<RunCase>("kind", {{"manoeuvre", runManoeuvreCase}}))
+    if (const auto run =
+            in.choiceIfKnown<RunCase>("kind", {{"decay", runDecayCase}, {"manoeuvre", runManoeuvreCase}}))
         result.outcome = (*run)(context, in);
     return document.finish(std::move(result));
 }

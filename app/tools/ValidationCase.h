@@ -16,10 +16,11 @@ struct ValidationRow {
     double measured = 0.0;  ///< NaN: not reached
     double reference = 0.0;
     double tolerance = 0.0;
-    bool share = false;  ///< error and tolerance over the reference; else in the unit of the quantity
+    bool share = false;   ///< error and tolerance over the reference; else in the unit of the quantity
+    bool atMost = false;  ///< the reference is a limit: what is below it is within tolerance
 
     double error() const { return share ? (measured - reference) / reference : measured - reference; }
-    bool ok() const { return error() <= tolerance && error() >= -tolerance; }
+    bool ok() const { return error() <= tolerance && (atMost || error() >= -tolerance); }
 };
 
 /// What came of a case.
@@ -40,6 +41,7 @@ struct ValidationContext {
 using RunCase = ValidationOutcome (*)(const ValidationContext& context, core::config::Reader& in);
 
 // One line here and one in Validation.cpp for each kind.
+ValidationOutcome runDecayCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runManoeuvreCase(const ValidationContext& context, core::config::Reader& in);
 
 }  // namespace sagara::tools

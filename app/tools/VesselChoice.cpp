@@ -10,8 +10,7 @@ core::Result<core::Vessel, std::string> openVessel(const core::DocumentSource& s
     if (!document) return document.error();
     auto vessel = core::loadVessel(document->name, document->text);
     if (!vessel) return vessel.error().text();
-    if (const auto model = vessel->model(choice.model); !model)
-        return choice.vessel + ": model is \"" + choice.model + "\", expected " + model.error();
+    if (const auto model = vessel->model(choice.model); !model) return model.error();
     return std::move(vessel).value();
 }
 

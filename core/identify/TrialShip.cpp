@@ -16,7 +16,14 @@ TrialShip::TrialShip(const Vessel& vessel, std::string_view model, double depth_
 void TrialShip::begin(const Approach& approach) {
     m_state = {};
     m_state.motion.surge_mps = approach.speed_mps;
-    for (ShaftState& shaft : m_state.shafts) shaft.order_rps = shaft.speed_rps = approach.shaft_rps;
+    for (std::size_t i = 0; i < m_propellers.size(); ++i) {
+        ShaftState& shaft = m_state.shafts[i];
+        shaft.order_rps = approach.shaft_rps;
+        const ShaftDemand steady = demandOf(m_propellers[i].unit(), shaft);
+        shaft.speed_rps = steady.speed_rps;
+        shaft.pitch = steady.pitch;
+        shaft.running = m_propellers[i].unit().engine && approach.shaft_rps != 0.0;
+    }
 }
 
 void TrialShip::orderShafts(double speed_rps) {
@@ -81,12 +88,14 @@ Approach TrialShip::holding(double speed_mps) {
     ShipMotion straight;
     straight.surge_mps = speed_mps;
     const auto surplus = [&](double shaft_rps) {
+        begin({speed_mps, shaft_rps});
         Actuators actuators;
-        actuators.shaft_rps.fill(shaft_rps);
+        showShafts(m_propellers, m_state.shafts, actuators);
         return rate(straight, actuators).surge_mps;
     };
     const double full_rps =
         m_vessel.propulsion.telegraph_rps[static_cast<std::size_t>(TelegraphStep::FullAhead)];
+    if (std::abs(surplus(full_rps)) < 1e-9) return {speed_mps, full_rps};  // no thrust of its own in the set
     constexpr int kRungs = 400;  // up to ten times full ahead: thrust need not grow steadily from 0
     for (int i = 1; i <= kRungs; ++i) {
         double low = 10.0 * full_rps * (i - 1) / kRungs, high = 10.0 * full_rps * i / kRungs;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "core/bridge/ShaftControl.h"
 #include "core/bridge/SteeringGear.h"

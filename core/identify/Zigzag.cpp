@@ -31,10 +31,10 @@ Trial runZigzag(TrialShip& ship, const Zigzag& zigzag, const TrialOptions& optio
     ship.orderRudder(side * zigzag.rudder_rad);
     int execute = 1, overshoots = 0;
     double track_m = 0.0, peak_rad = 0.0, maxRoll_rad = 0.0;
-    const double share = 1.0 / zigzag.executes;
+    const double share = 1.0 / zigzag.executes, step_s = zigzag.look_s > 0.0 ? zigzag.look_s : options.step_s;
     while (record.goesOn(ship, share * (execute - 1)) &&
            (options.duration_s || overshoots < zigzag.executes - 1)) {
-        track_m += options.step_s * ship.speed_mps();
+        track_m += step_s * ship.speed_mps();
         const auto past = [&](const TrialShip& s) {
             return side * s.motion().heading_rad - zigzag.switch_rad;
         };
@@ -49,10 +49,13 @@ Trial runZigzag(TrialShip& ship, const Zigzag& zigzag, const TrialOptions& optio
             side = -side;
             ship.orderRudder(side * zigzag.rudder_rad);
         };
-        if (execute < zigzag.executes || options.duration_s)
-            ship.stepThrough(options.step_s, past, reverse);
-        else
-            ship.step(options.step_s);
+        const bool reverses = execute < zigzag.executes || options.duration_s;
+        if (reverses && zigzag.look_s == 0.0) {
+            ship.stepThrough(step_s, past, reverse);
+        } else {
+            ship.step(step_s);
+            if (reverses && past(ship) >= 0.0) reverse();
+        }
         const TrialSample now = ship.sample();
         maxRoll_rad = std::max(maxRoll_rad, std::abs(now.roll_rad));
         if (overshoots == execute - 1) continue;

@@ -18,6 +18,9 @@ struct Zigzag {
     bool starboardFirst = true;
     /// The run ends when the overshoot of the last is over; a run of a given duration goes on reversing.
     int executes = 5;
+    /// Time between looks at the heading, as in published runs of fixed step; 0: the order is given right at
+    /// it.
+    double look_s = 0.0;
 };
 Trial runZigzag(TrialShip& ship, const Zigzag& zigzag, const TrialOptions& options = {});
 Trial runZigzag(const Vessel& vessel, const Zigzag& zigzag, const TrialOptions& options = {});

@@ -51,10 +51,11 @@ Load unified(const MmgParameters& model, const Hull& hull, const ShipMotion& m, 
 MmgFlow mmgFlow(const MmgRange& range, double length_m, const ShipMotion& m) {
     MmgFlow f;
     const double u = m.surge_mps, v = m.sway_mps;
-    f.speed_mps = std::max(kSlowest_mps, std::sqrt(u * u + v * v));
+    f.speed_mps = std::sqrt(u * u + v * v);
+    const double divisor_mps = std::max(kSlowest_mps, f.speed_mps);
     f.drift_rad = u == 0.0 && v == 0.0 ? 0.0 : std::atan2(-v, u);
-    f.v = v / f.speed_mps;
-    f.r = m.yawRate_radps * length_m / f.speed_mps;
+    f.v = v / divisor_mps;
+    f.r = m.yawRate_radps * length_m / divisor_mps;
     f.published =
         range.drift_rad <= 0.0 || range.yawRate <= 0.0
             ? 0.0

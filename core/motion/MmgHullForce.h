@@ -9,7 +9,7 @@ namespace sagara::core {
 
 /// How the water meets midship, in the MMG method's own quantities.
 struct MmgFlow {
-    double speed_mps = 0.0;  ///< U, never quite 0
+    double speed_mps = 0.0;  ///< U
     double drift_rad = 0.0;  ///< beta = atan2(-v, u), positive: flow from the port bow
     double v = 0.0;          ///< v / U
     double r = 0.0;          ///< r L / U

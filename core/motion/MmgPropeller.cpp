@@ -12,8 +12,8 @@ MmgPropeller mmgPropeller(const MmgParameters& model, const Hull& hull, const Pr
     MmgPropeller p;
     if (local_mps.x_m > 0.0) {
         const double drift_rad = flow.drift_rad - unit.position.x_m / hull.lengthBp_m * flow.r;
-        const bool fromPort = unit.position.y_m < 0.0 ? drift_rad < 0.0 : drift_rad >= 0.0;
-        const double C2 = fromPort ? model.wake.C2port : model.wake.C2starboard;
+        const bool fromOutboard = unit.position.y_m > 0.0 ? drift_rad < 0.0 : drift_rad >= 0.0;
+        const double C2 = fromOutboard ? model.wake.C2port : model.wake.C2starboard;
         p.wake = 1.0 - model.wake.inflow * (1.0 - unit.wakeFraction) *
                            (1.0 + (1.0 - std::exp(-model.wake.C1 * std::abs(drift_rad))) * (C2 - 1.0));
     }

@@ -50,15 +50,15 @@ MmgRudderForce mmgRudderForce(const MmgParameters& model, const Hull& hull, cons
     const double L = hull.lengthBp_m, rL = m.yawRate_radps * L;
     const double surge_mps = m.surge_mps - m.yawRate_radps * position.y_m;
     // 1 with the hull before the rudder, 0 with sternway.
-    const double headway =
-        smoothStep(-0.3, 0.3, surge_mps / std::sqrt(flow.speed_mps * flow.speed_mps + 0.25 * rL * rL));
+    const double swing_mps = std::sqrt(flow.speed_mps * flow.speed_mps + 0.25 * rL * rL);
+    const double headway = swing_mps == 0.0 ? 1.0 : smoothStep(-0.3, 0.3, surge_mps / swing_mps);
     const double lever = headway * k.lR + (1.0 - headway) * position.x_m / L;
     // The method's U beta is -v for small angles; beyond its range -v it is.
     const double drift_mps =
         flow.published * flow.speed_mps * flow.drift_rad - (1.0 - flow.published) * m.sway_mps;
     const double across_mps = drift_mps - lever * rL;
-    const bool fromPort = position.y_m < 0.0 ? across_mps < 0.0 : across_mps >= 0.0;
-    const double straightening = headway * (fromPort ? k.gammaPort : k.gammaStarboard) + (1.0 - headway);
+    const bool fromOutboard = position.y_m > 0.0 ? across_mps < 0.0 : across_mps >= 0.0;
+    const double straightening = headway * (fromOutboard ? k.gammaPort : k.gammaStarboard) + (1.0 - headway);
 
     MmgRudderForce f;
     f.u_mps = inflowAlong_mps(k, unit, screw, inRace, hull.waterDensity_kgpm3);

@@ -111,7 +111,7 @@ PlanarAcceleration ShipDynamics::acceleration(const ShipMotion& m, const Actuato
     const PlanarAcceleration a = std::visit(of, m_model);
     const auto mix = [&](double x, double y) { return share * x + (1.0 - share) * y; };
     return {mix(a.surge_mps2, b.surge_mps2), mix(a.sway_mps2, b.sway_mps2), mix(a.roll_radps2, b.roll_radps2),
-            mix(a.yaw_radps2, b.yaw_radps2)};
+            mix(a.yaw_radps2, b.yaw_radps2), 0.0};
 }
 
 Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const {
@@ -130,8 +130,10 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
                                     const WaveEffect& waves, NorthEast current, double depth_m) const {
     const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a = acceleration(m, actuators, load, depth_m);
-    const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
-                 lateral_mps = m.sway_mps * std::cos(m.roll_rad);
+    const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad);
+    // A model without roll has its sway in the horizontal plane.
+    const bool heels = std::visit([](const auto& ship) { return ship.ownsRoll(); }, m_model);
+    const double lateral_mps = heels ? m.sway_mps * std::cos(m.roll_rad) : m.sway_mps;
     ShipMotion rate;
     rate.north_m = m.surge_mps * c - lateral_mps * s + current.north_m;
     rate.east_m = m.surge_mps * s + lateral_mps * c + current.east_m;

@@ -43,7 +43,7 @@ Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form);
 double frictionalResistance_N(const Form& form, double speed_mps);
 
 /// Height over chord of an estimated rudder.
-inline constexpr double kRudderAspect = 1.6;
+inline constexpr double kRudderAspect = 1.8;
 
 /// Rudders: area by the DNV rule or as usual for the kind, lift by Fujii, wake and race by the MMG model at
 /// the service speed.

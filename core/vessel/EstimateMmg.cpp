@@ -14,8 +14,13 @@ MmgInertia inertiaOf(const Form& f, const Drive& drive, const Derivatives& d) {
     i.xG_m = L * std::clamp(0.0970 - 0.45 * froude, -0.035, 0.035);
     i.yawGyradius_m = 0.25 * L;
     i.mx = -d.Xudot / scale_kg;
-    i.my = -d.Yvdot / scale_kg;
-    i.Jz = -d.Nrdot / (scale_kg * L * L);
+    const double m = f.mass_kg() / scale_kg, B = f.beam_m, T = f.draught_m, Cb = f.block;
+    const double shape = L * T / (B * B);
+    i.my = m * (0.882 - 0.54 * Cb * (1.0 - 1.6 * T / B) - 0.156 * (1.0 - 0.673 * Cb) * L / B +
+                0.826 * shape * (1.0 - 0.678 * T / B) - 0.638 * Cb * shape * (1.0 - 0.669 * T / B));
+    const double gyradius =
+        0.01 * (33.0 - 76.85 * Cb * (1.0 - 0.784 * Cb) + 3.43 * L / B * (1.0 - 0.63 * Cb));
+    i.Jz = m * gyradius * gyradius;
     return i;
 }
 
@@ -59,8 +64,8 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     h.Xvvvv = std::max(0.0, 1.1 - 6.68 * full);
     h.Xrr = 0.008 - 0.085 * full;
     h.Xvr = std::max(0.0, 1.91 * full - 0.08) - p.inertia.my;
-    p.range.drift_rad = 30.0 * kDegree_rad;
-    p.range.yawRate = 1.2;
+    p.range.drift_rad = 20.0 * kDegree_rad;
+    p.range.yawRate = 0.8;
     p.range.crossFlowDrag = d.crossFlowDrag;
     p.range.asternResistance = 1.5;
     p.wake.C1 = 2.0;
@@ -71,10 +76,10 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     r.tR = 0.39;
     r.aH = std::max(0.1, 0.627 * f.block - 0.153);
     r.xH = -0.45;
-    r.lR = -0.75;
-    r.gammaPort = r.gammaStarboard = std::clamp(2.06 * full + 0.14, 0.25, 0.6);
-    r.epsilon = std::clamp(-156.2 * full * full + 41.6 * full - 1.76, 0.85, 1.1);
-    r.kappa = 0.55 / r.epsilon;
+    r.lR = -0.71;
+    r.gammaPort = r.gammaStarboard = std::clamp(1.03 * full + 0.25, 0.25, 0.6);
+    r.epsilon = std::clamp(0.90 + 3.4 * (full - 0.091), 0.85, 1.15);
+    r.kappa = 0.6 / r.epsilon;
     return p;
 }
 

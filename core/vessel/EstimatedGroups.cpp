@@ -96,7 +96,7 @@ Json steeringGroup(const Form& f, const Rudders& r) {
          {"raceShare", neat(r.raceShare)}},
         "area by the DNV rule T L / 100 (1 + 25 (B/L)^2), more where usual for the type (Molland & Turnock "
         "2007); lift slope Fujii for an aspect ratio of "
-        "1.6, with the wake and the hull's share (Kijima et al. 1990) taken in; race by the MMG model "
+        "1.8, with the wake and the hull's share (Kijima et al. 1990) taken in; race by the MMG model "
         "at the service speed (Yasukawa & Yoshimura 2015), 0.7 of it, for a rudder hard over is partly out "
         "of it; rate of SOLAS II-1/29 and above");
 }

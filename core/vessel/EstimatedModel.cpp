@@ -15,13 +15,14 @@ Json marked(Json group, const char* source) {
 }
 
 Json inertiaGroup(const MmgInertia& i) {
-    return marked({{"xG_m", neat(i.xG_m)},
-                   {"yawGyradius_m", neat(i.yawGyradius_m)},
-                   {"mx", neat(i.mx)},
-                   {"my", neat(i.my)},
-                   {"Jz", neat(i.Jz)}},
-                  "centre of gravity over that of buoyancy usual for the Froude number (Guldhammer & Harvald "
-                  "1974); added masses: Soeding 1982 in surge, Clarke, Gedling & Hine 1983 in sway and yaw");
+    return marked(
+        {{"xG_m", neat(i.xG_m)},
+         {"yawGyradius_m", neat(i.yawGyradius_m)},
+         {"mx", neat(i.mx)},
+         {"my", neat(i.my)},
+         {"Jz", neat(i.Jz)}},
+        "centre of gravity over that of buoyancy usual for the Froude number (Guldhammer & Harvald "
+        "1974); added masses: Soeding 1982 in surge, Zhou, Sheng & Wu 1983 after Motora in sway and yaw");
 }
 
 Json hullGroup(const MmgHull& h) {
@@ -64,19 +65,20 @@ Json wakeGroup(const MmgWake& w) {
 }
 
 Json rudderGroup(const MmgRudder& r) {
-    return marked({{"height_m", neat(r.height_m)},
-                   {"liftSlope", neat(r.liftSlope)},
-                   {"tR", neat(r.tR)},
-                   {"aH", neat(r.aH)},
-                   {"xH", neat(r.xH)},
-                   {"lR", neat(r.lR)},
-                   {"gammaPort", neat(r.gammaPort)},
-                   {"gammaStarboard", neat(r.gammaStarboard)},
-                   {"epsilon", neat(r.epsilon)},
-                   {"kappa", neat(r.kappa)}},
-                  "lift: Fujii for an aspect ratio of 1.6; tR, straightening: Yoshimura & Masumoto 2012; aH: "
-                  "Quadvlieg 2013; epsilon: Kijima et al. 1990, the race built up to 0.55; lR between KVLCC2 "
-                  "and KCS");
+    return marked(
+        {{"height_m", neat(r.height_m)},
+         {"liftSlope", neat(r.liftSlope)},
+         {"tR", neat(r.tR)},
+         {"aH", neat(r.aH)},
+         {"xH", neat(r.xH)},
+         {"lR", neat(r.lR)},
+         {"gammaPort", neat(r.gammaPort)},
+         {"gammaStarboard", neat(r.gammaStarboard)},
+         {"epsilon", neat(r.epsilon)},
+         {"kappa", neat(r.kappa)}},
+        "lift: Fujii for an aspect ratio of 1.8; tR: Yoshimura & Masumoto 2012; aH: Quadvlieg 2013; kappa: "
+        "Kijima et al. 1990; straightening, lR and epsilon between the published KVLCC2, Esso Osaka "
+        "and KCS");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct MmgRange {
 /// 1 - w = (1 - w0) (1 + (1 - exp(-C1 |beta_P|)) (C2 - 1)).
 struct MmgWake {
     double C1 = 0.0;
-    double C2port = 1.0;       ///< flow from the port bow, beta_P positive; of a port screw: from outboard
+    double C2port = 1.0;       ///< flow from the port bow, beta_P positive; with two screws: from outboard
     double C2starboard = 1.0;  ///< beta_P negative
     double inflow = 1.0;       ///< on 1 - w0, by the depth of the water: not in documents
     double push = 1.0;         ///< on 1 - t, the same
@@ -57,7 +57,7 @@ struct MmgRudder {
     double aH = 0.0;         ///< share of the rudder force that acts on the hull besides
     double xH = 0.0;         ///< where, over L, forward of midship
     double lR = 0.0;         ///< effective position of the rudder in yaw, over L
-    double gammaPort = 1.0;  ///< flow straightening, beta_R positive; of a port rudder: from outboard
+    double gammaPort = 1.0;  ///< flow straightening, beta_R positive; with two rudders: from outboard
     double gammaStarboard = 1.0;
     double epsilon = 1.0;  ///< (1 - w) at the rudder over that at the propeller
     double kappa = 0.5;    ///< of the race's added velocity, what has built up at the rudder

@@ -37,7 +37,11 @@ Axis axisOf(const XyPlot& plot, double (*valueOf)(QPointF)) {
             if (finite(p)) values.push_back(valueOf(p));
     if (values.empty()) return {};
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return axisFor(values, {.least = std::min(0.0, *high), .most = std::max(0.0, *low), .tickCount = 5});
+    AxisRule rule;
+    rule.least = std::min(0.0, *high);
+    rule.most = std::max(0.0, *low);
+    rule.tickCount = 5;
+    return axisFor(values, rule);
 }
 
 Frame frameFor(const XyPlot& plot, const QRectF& area) {

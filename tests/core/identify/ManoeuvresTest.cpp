@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "core/identify/Decay.h"
 #include "core/identify/Pullout.h"
 #include "core/identify/TrialShip.h"
 #include "core/identify/Zigzag.h"
 #include "tests/support/Assets.h"
+#include "tests/support/ReferenceCsv.h"
 
 namespace sagara::core {
 namespace {
@@ -67,6 +69,32 @@ TEST(Zigzag, OfAGivenDurationGoesOnReversing) {
     const Trial trial = runZigzag(ship, {}, options);
     EXPECT_NEAR(trial.samples.back().time_s, 200.0, 0.03);
     EXPECT_TRUE(trial.measure("execute_8_time_s"));
+}
+
+TEST(Decay, OfThePatrolVesselIsThePublishedOne) {
+    TrialShip ship(patrol());
+    TrialOptions options;
+    options.approach = ship.holding(8.0);
+    options.duration_s = 20.0;
+    options.sample_s = 0.2;
+    const Trial trial = runDecay(ship, {.start = 15.0 * kDegree_rad}, options);
+    std::size_t i = 0;
+    for (const test::Row& row : test::readReference("manoeuvring/patrol51_roll_decay_8ms_15deg.csv")) {
+        if (i >= trial.samples.size()) break;
+        EXPECT_NEAR(trial.samples[i].time_s, row["t"], 1e-9);
+        EXPECT_NEAR(trial.samples[i].roll_rad / kDegree_rad, row["phi"], 0.1) << row["t"];  // its header
+        ++i;
+    }
+    EXPECT_EQ(i, 101u);
+}
+
+TEST(Decay, MeasuresPeriodAndDampingOfHeave) {
+    const Vessel vessel = patrol();
+    TrialShip ship(vessel);
+    const Trial trial = runDecay(ship, {.dof = Decay::Dof::Heave, .start = 0.5});
+    ASSERT_TRUE(trial.measure("damping_ratio"));
+    // A linear spring with the damping of the document.
+    EXPECT_NEAR(*trial.measure("damping_ratio"), vessel.seakeeping.heaveDampingRatio, 0.01);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/motion/MmgShallow.h"
 #include "core/motion/RungeKutta.h"
 #include "core/motion/ShipDynamics.h"
 #include "tests/support/Assets.h"
@@ -129,6 +130,261 @@ INSTANTIATE_TEST_SUITE_P(Kvlcc2, MmgTrace,
                                            ReferenceRun{"modelZigzag20", "kvlcc2_mmg_L7_zz_20_20_s.csv",
                                                         "kvlcc2-l7", kL7_mps, kL7_rps, 0.005, 20.0, 20.0}),
                          [](const auto& row) { return row.param.name; });
+
+// --- beyond the published range ---
+
+ShipMotion moving(double surge_mps, double sway_mps, double yawRate_radps) {
+    ShipMotion m;
+    m.surge_mps = surge_mps;
+    m.sway_mps = sway_mps;
+    m.yawRate_radps = yawRate_radps;
+    return m;
+}
+
+TEST(MmgRange, CrossFlowHasExactlyNoShareInThePublishedRange) {
+    Vessel vessel = shipped("kvlcc2");
+    const MmgShip ship = shipOf(vessel);
+    std::get<MmgModel>(vessel.models.front().parameters).parameters.range.crossFlowDrag = 3.0;
+    const MmgShip other = shipOf(vessel);
+    for (const double drift_deg : {0.0, 10.0, -20.0, 29.0}) {
+        for (const double yawRate : {0.0, 0.6, -1.1}) {
+            const double U = 4.0;
+            const ShipMotion m = moving(U * std::cos(drift_deg * kDegree_rad),
+                                        -U * std::sin(drift_deg * kDegree_rad), yawRate * U / 320.0);
+            const Load a = ship.hullForces(m, {}).hull, b = other.hullForces(m, {}).hull;
+            EXPECT_EQ(a.sway_N, b.sway_N);
+            EXPECT_EQ(a.yaw_Nm, b.yaw_Nm);
+        }
+    }
+}
+
+TEST(MmgRange, ForcesGoToZeroWithTheSpeedInEveryDirection) {
+    const Vessel vessel = shipped("kvlcc2");
+    const MmgShip ship = shipOf(vessel);
+    const Load still = ship.hullForces({}, {}).hull;
+    EXPECT_EQ(still.surge_N, 0.0);
+    EXPECT_EQ(still.sway_N, 0.0);
+    EXPECT_EQ(still.yaw_Nm, 0.0);
+    for (int i = 0; i < 36; ++i) {
+        const double a = 10.0 * i * kDegree_rad;
+        for (const double turning : {-3.0, 0.0, 1.5}) {
+            const auto at = [&](double U) {
+                return ship.hullForces(moving(U * std::cos(a), U * std::sin(a), turning * U / 320.0),
+                                       {0.5, {}});
+            };
+            const HullForces one = at(1.0), small = at(1e-4);
+            // all of second order in the velocities
+            EXPECT_NEAR(small.hull.sway_N, 1e-8 * one.hull.sway_N, 1e-12 * std::abs(one.hull.sway_N) + 1e-9);
+            EXPECT_NEAR(small.rudder.yaw_Nm, 1e-8 * one.rudder.yaw_Nm,
+                        1e-12 * std::abs(one.rudder.yaw_Nm) + 1e-9);
+        }
+    }
+}
+
+TEST(MmgRange, HullResistsDriftAndSwingInEveryDirection) {
+    const Vessel vessel = shipped("kvlcc2");
+    const MmgShip ship = shipOf(vessel);
+    for (int i = 0; i <= 36; ++i) {
+        const double a = 10.0 * i * kDegree_rad, U = 1.5;
+        const ShipMotion m = moving(U * std::cos(a), U * std::sin(a), 0.0);
+        const Load f = ship.hullForces(m, {}).hull;
+        EXPECT_LT(f.surge_N * m.surge_mps + f.sway_N * m.sway_mps, 0.0) << 10 * i;  // takes energy
+    }
+    for (const double r : {-0.01, -0.002, 0.002, 0.01})
+        EXPECT_LT(ship.hullForces(moving(0.0, 0.0, r), {}).hull.yaw_Nm * r, 0.0);
+}
+
+TEST(MmgRange, ForcesAreContinuousRoundTheCompassAndFromAheadToAstern) {
+    const Vessel vessel = shipped("kvlcc2");
+    const MmgShip ship = shipOf(vessel);
+    for (const double shaft_rps : {-1.0, 0.0, 1.0}) {
+        HullForces before;
+        for (int i = 0; i <= 7200; ++i) {
+            const double a = 0.05 * i * kDegree_rad;
+            const HullForces f =
+                ship.hullForces(moving(2.0 * std::cos(a), 2.0 * std::sin(a), 0.002), {0.4, {shaft_rps}});
+            if (i > 0) {
+                EXPECT_NEAR(f.hull.sway_N, before.hull.sway_N, 2e5) << a;
+                EXPECT_NEAR(f.rudder.sway_N, before.rudder.sway_N, 2e4) << a << " " << shaft_rps;
+                EXPECT_NEAR(f.propeller.surge_N, before.propeller.surge_N, 3e4) << a;
+            }
+            before = f;
+        }
+    }
+}
+
+TEST(MmgRudder, KicksFromRestAndActsTheOtherWayWithSternway) {
+    const Vessel vessel = shipped("kvlcc2");
+    const MmgShip ship = shipOf(vessel);
+    const double helm_rad = 20.0 * kDegree_rad;
+    EXPECT_GT(ship.hullForces({}, {helm_rad, {1.0}}).rudder.yaw_Nm, 1e7);
+    EXPECT_EQ(ship.hullForces({}, {helm_rad, {0.0}}).rudder.yaw_Nm, 0.0);
+    EXPECT_GT(ship.hullForces(moving(3.0, 0.0, 0.0), {helm_rad, {0.0}}).rudder.yaw_Nm, 0.0);
+    EXPECT_LT(ship.hullForces(moving(-3.0, 0.0, 0.0), {helm_rad, {0.0}}).rudder.yaw_Nm, 0.0);
+    // engine astern with headway: the rudder loses much of what it does
+    const double coasting = ship.hullForces(moving(4.0, 0.0, 0.0), {helm_rad, {0.0}}).rudder.yaw_Nm;
+    const double backing = ship.hullForces(moving(4.0, 0.0, 0.0), {helm_rad, {-1.0}}).rudder.yaw_Nm;
+    EXPECT_LT(std::abs(backing), 0.6 * coasting);
+}
+
+/// KVLCC2 with two screws and two rudders of half the disc and area, abreast.
+Vessel twinScrew() {
+    Vessel v = shipped("kvlcc2");
+    PropulsionUnit unit = v.propulsion.units[0];
+    unit.diameter_m /= std::sqrt(2.0);
+    unit.position.y_m = -12.0;
+    v.propulsion.units = {unit, unit};
+    v.propulsion.units[1].position.y_m = 12.0;
+    v.steering.areaEach_m2 /= 2.0;
+    v.steering.rudders = {{-160.0, -12.0}, {-160.0, 12.0}};
+    MmgParameters& p = std::get<MmgModel>(v.models.front().parameters).parameters;
+    p.rudder.height_m /= std::sqrt(2.0);
+    return v;
+}
+
+TEST(MmgTwinScrew, MirrorsPortAndStarboard) {
+    const Vessel vessel = twinScrew();
+    const MmgShip ship = shipOf(vessel);
+    const PlanarAcceleration a = ship.acceleration(moving(5.0, -0.8, 0.006), {0.3, {1.8, 2.4}}, {});
+    const PlanarAcceleration b = ship.acceleration(moving(5.0, 0.8, -0.006), {-0.3, {2.4, 1.8}}, {});
+    EXPECT_NEAR(a.surge_mps2, b.surge_mps2, 1e-12);
+    EXPECT_NEAR(a.sway_mps2, -b.sway_mps2, 1e-12);
+    EXPECT_NEAR(a.yaw_radps2, -b.yaw_radps2, 1e-14);
+    EXPECT_NEAR(a.heel_Nm, -b.heel_Nm, 1e-3);
+}
+
+TEST(MmgTwinScrew, TurnsOnTheSpotAndMeetsTheTurnWithEachScrewByItself) {
+    const Vessel vessel = twinScrew();
+    const MmgShip ship = shipOf(vessel);
+    EXPECT_GT(ship.acceleration({}, {0.0, {1.0, -1.2}}, {}).yaw_radps2, 0.0);  // port ahead: to starboard
+    // turning to starboard the port screw is outside and meets the faster water
+    const MmgShip::Parts parts = ship.parts(moving(5.0, 0.0, 0.01), {0.0, {2.0, 2.0}});
+    EXPECT_GT(parts.screws[0].inflow_mps, parts.screws[1].inflow_mps);
+    EXPECT_LT(parts.screws[0].thrust_N, parts.screws[1].thrust_N);
+}
+
+// --- depth ---
+
+TEST(MmgShallow, FactorsAreThePublishedRegressions) {
+    for (const test::Row& row : test::readReference("environment/shallow_water_factors_check.csv")) {
+        Hull hull;
+        hull.lengthBp_m = row["L"];
+        hull.beam_m = row["B"];
+        hull.draught_m = row["d"];
+        hull.displacement_m3 = row["Cb"] * row["L"] * row["B"] * row["d"];
+        const ShallowFactors f = shallowFactors(hull, row["h_over_d"] * row["d"]);
+        const std::pair<const char*, double> factors[] = {{"Yb_factor", f.Yv},
+                                                          {"Nb_factor", f.Nv},
+                                                          {"my_factor", f.my},
+                                                          {"Jz_factor", f.Jz},
+                                                          {"mx_factor", f.mx}};
+        // as printed: six figures, trailing zeros left out
+        for (const auto& [column, value] : factors) EXPECT_NEAR(value / row[column], 1.0, 5e-6) << column;
+    }
+}
+
+TEST(MmgShallow, DeepWaterIsExactlyThePublishedModelAndVeryDeepNearlyIt) {
+    const Vessel vessel = shipped("kvlcc2");
+    const MmgShip ship = shipOf(vessel);
+    const ShipMotion m = moving(6.0, -1.0, 0.008);
+    const Actuators actuators{0.5, {1.7}};
+    EXPECT_EQ(ship.acceleration(m, actuators, {}, kDeepWater_m).yaw_radps2,
+              ship.acceleration(m, actuators, {}).yaw_radps2);
+    const double deep = ship.acceleration(m, actuators, {}).yaw_radps2;
+    EXPECT_NEAR(ship.acceleration(m, actuators, {}, 1e5).yaw_radps2 / deep, 1.0, 0.01);
+}
+
+/// Tactical diameter at 35 deg of rudder from a speed whose shaft speed is held, over the length.
+struct Turn {
+    double advance_L = 0.0, tacticalDiameter_L = 0.0, yawRate = 0.0, drift_deg = 0.0, diameter_L = 0.0;
+};
+Turn hardOver(const Vessel& vessel, double speed_mps, double depth_m) {
+    const WaveTable waves{1, 1e6};
+    const ShipDynamics ship{vessel, waves};
+    const double L = vessel.hull.lengthBp_m, step_s = 0.0005 * L;
+    double slow_rps = 0.0, fast_rps = 40.0;  // of the shaft that holds the speed
+    for (int i = 0; i < 50; ++i) {
+        const double n = 0.5 * (slow_rps + fast_rps);
+        const ShipMotion rate = ship.derivative(moving(speed_mps, 0.0, 0.0), {0.0, {n}}, {}, {}, {}, depth_m);
+        (rate.surge_mps < 0.0 ? slow_rps : fast_rps) = n;
+    }
+    ShipMotion m = moving(speed_mps, 0.0, 0.0);
+    Turn turn;
+    double rudder_rad = 0.0;
+    while (m.heading_rad < 3.0 * kPi) {
+        rudder_rad = std::min(35.0 * kDegree_rad, rudder_rad + vessel.steering.rate_radps * step_s);
+        m = rk4Step(m, step_s, [&](const ShipMotion& x) {
+            return ship.derivative(x, {rudder_rad, {fast_rps}}, {}, {}, {}, depth_m);
+        });
+        if (m.heading_rad < 0.5 * kPi) turn.advance_L = m.north_m / L;
+        if (m.heading_rad < kPi) turn.tacticalDiameter_L = m.east_m / L;
+    }
+    const double U = std::hypot(m.surge_mps, m.sway_mps);
+    turn.yawRate = m.yawRate_radps * L / U;
+    turn.drift_deg = std::atan2(-m.sway_mps, m.surge_mps) / kDegree_rad;
+    turn.diameter_L = 2.0 / turn.yawRate;
+    return turn;
+}
+
+TEST(EssoOsaka, TurnsAsInHerTrialsInDeepAndShallowWater) {
+    const Vessel vessel = shipped("esso-osaka");
+    const double T = vessel.hull.draught_m, speed_mps = 10.0 * kKnot_mps;
+    const Turn deep = hardOver(vessel, speed_mps, kDeepWater_m),
+               medium = hardOver(vessel, speed_mps, 1.5 * T), shallow = hardOver(vessel, speed_mps, 1.2 * T);
+    std::printf("advance %.0f m, tactical diameter %.0f m; ratios %.3f at h/T 1.5, %.3f at 1.2\n",
+                325.0 * deep.advance_L, 325.0 * deep.tacticalDiameter_L,
+                medium.tacticalDiameter_L / deep.tacticalDiameter_L,
+                shallow.tacticalDiameter_L / deep.tacticalDiameter_L);
+    // trials of 1977, recalled: the aim of issue 5 is 10 %
+    EXPECT_NEAR(325.0 * deep.advance_L / 1015.0, 1.0, 0.10);
+    EXPECT_NEAR(325.0 * deep.tacticalDiameter_L / 925.0, 1.0, 0.10);
+    // "grows little from deep to h/T 1.5 (1.1, 15 %) and by up to about 75 % at 1.2"; issue 5: 1.5 to 2.0
+    EXPECT_NEAR(medium.tacticalDiameter_L / deep.tacticalDiameter_L / 1.1, 1.0, 0.15);
+    EXPECT_GT(shallow.tacticalDiameter_L / deep.tacticalDiameter_L, 1.5);
+    EXPECT_LT(shallow.tacticalDiameter_L / deep.tacticalDiameter_L, 2.0);
+    // "speed loss and drift angle in the turn shrink as the water gets shallower"
+    EXPECT_LT(shallow.drift_deg, medium.drift_deg);
+    EXPECT_LT(medium.drift_deg, deep.drift_deg);
+}
+
+/// The 3 m model: the ship by scale, with the model's own resistance, propeller and wake.
+TEST(EssoOsaka, ThreeMetreModelTurnsAsInThePond) {
+    Vessel v = shipped("esso-osaka");
+    const double scale = 3.0 / 325.0;
+    v.hull.lengthBp_m = 3.0;
+    v.hull.beam_m = 0.48925;
+    v.hull.draught_m = 0.20114;
+    v.hull.displacement_m3 = 0.2451;
+    v.hull.waterDensity_kgpm3 = 998.0;
+    v.hull.metacentricHeight_m *= scale;
+    v.hull.rollGyradius_m *= scale;
+    PropulsionUnit& unit = v.propulsion.units[0];
+    unit.position.x_m *= scale;
+    unit.diameter_m = 0.084;
+    unit.thrustCoefficients = {0.3278, -0.3323, -0.156};
+    unit.wakeFraction = 0.614;
+    v.steering.rudders = {{-1.5, 0.0}};
+    v.steering.areaEach_m2 = 0.01063;
+    v.steering.rate_radps = 20.0 * kDegree_rad;
+    MmgParameters& p = std::get<MmgModel>(v.models.front().parameters).parameters;
+    p.inertia.xG_m = 0.0936;
+    p.inertia.yawGyradius_m = 0.75;
+    p.hull.R0 = 0.02139;
+    p.rudder.height_m = 0.128;
+    const Turn turn = hardOver(v, 0.45, kDeepWater_m);
+    double yawRate = 0.0, drift_deg = 0.0, diameter_L = 0.0, runs = 0.0;
+    for (const test::Row& row : test::readReference("manoeuvring/esso_osaka_model3m_steady_turns.csv")) {
+        yawRate += row["r_prime"];
+        drift_deg += row["beta_deg"];
+        diameter_L += row["D_over_L"];
+        runs += 1.0;
+    }
+    std::printf("r' %.3f (%.3f), drift %.1f (%.1f) deg, diameter %.3f (%.3f) L\n", turn.yawRate,
+                yawRate / runs, turn.drift_deg, drift_deg / runs, turn.diameter_L, diameter_L / runs);
+    EXPECT_NEAR(turn.yawRate / (yawRate / runs), 1.0, 0.12);  // tolerances of the file
+    EXPECT_NEAR(turn.diameter_L / (diameter_L / runs), 1.0, 0.12);
+    EXPECT_NEAR(turn.drift_deg, drift_deg / runs, 4.0);
+}
 
 }  // namespace
 }  // namespace sagara::core

@@ -136,8 +136,9 @@ TEST(Vessel, ModelsAreFoundByNameAndTheFirstIsTheDefault) {
 TEST(Vessel, ModelsOfTheSameNameAreRefused) {
     EXPECT_EQ(problemsOf(withModels("{")),
               "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
-    EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
-              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010");
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\""))
+                  .find("v.json: model.kind is \"poly\", expected one of polynomial, "),
+              0u);
 }
 
 TEST(Vessel, AModelHandsOverToOneThatIsThere) {

@@ -1,0 +1,103 @@
+#include <filesystem>
+#include <sstream>
+
+#include "../run/SimTest.h"
+
+namespace sagara::run::test {
+namespace {
+
+std::vector<double> numbersIn(const std::string& line) {
+    std::vector<double> numbers;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) numbers.push_back(std::stod(cell));
+    return numbers;
+}
+
+class Tools : public SimTest {
+protected:
+    std::vector<std::string> linesFrom(const Arguments& arguments) const {
+        return linesOf(simDone(arguments).out);
+    }
+    void expectRefused(const Arguments& arguments, const std::string& words) const {
+        const Outcome outcome = sim(arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+};
+
+TEST_F(Tools, ManoeuvreFillsItsDurationWithRowsAtTheStepAskedFor) {
+    const auto lines = linesFrom({"manoeuvre", "--vessel", "patrol51", "--test", "turning", "--rudder-deg",
+                                  "-20", "--speed-mps", "8", "--duration-s", "30", "--dt-s", "0.5"});
+    ASSERT_EQ(lines.size(), 62u);
+    EXPECT_EQ(lines.front(),
+              "time_s,x_m,y_m,heading_deg,surge_mps,sway_mps,yaw_rate_degps,roll_deg,rudder_deg,shaft_rps");
+    const std::vector<double> last = numbersIn(lines.back());
+    EXPECT_EQ(last[0], 30.0);
+    EXPECT_LT(last[3], -80.0);  // to port
+    EXPECT_EQ(last[8], -20.0);
+    EXPECT_NEAR(last[9], 7.0, 0.01);  // the shaft speed that holds 8 m/s
+}
+
+TEST_F(Tools, MeasuresAreNamedAsInThePublishedTables) {
+    const auto lines = linesFrom({"manoeuvre", "--vessel", "patrol51", "--test", "zigzag", "--rudder-deg",
+                                  "10", "--speed-mps", "8", "--measures"});
+    EXPECT_EQ(lines.front(), "name,value");
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                            [](const std::string& l) { return l.rfind("overshoot_2_deg,5.6", 0) == 0; }));
+}
+
+TEST_F(Tools, ForcesBalanceAtTheSelfPropulsionPoint) {
+    const auto lines =
+        linesFrom({"forces", "--vessel", "patrol51", "--state", "8,0,0", "--rps", "7", "--csv", "-"});
+    ASSERT_EQ(lines.size(), 2u);
+    const std::vector<double> row = numbersIn(lines.back());
+    EXPECT_NEAR(row[7] + row[10], 0.0, 100.0);  // hull and propellers, N
+    EXPECT_NEAR(row[16], 0.0, 1e-3);
+}
+
+TEST_F(Tools, DecayTellsPeriodAndDamping) {
+    const auto lines = linesFrom({"decay", "--vessel", "patrol51", "--dof", "roll", "--start", "15",
+                                  "--speed-mps", "8", "--measures"});
+    EXPECT_EQ(lines.at(1).rfind("period_s,", 0), 0u);
+    EXPECT_EQ(lines.at(2).rfind("damping_ratio,", 0), 0u);
+}
+
+TEST_F(Tools, ValidateRunsACaseAndWritesTheReport) {
+    const auto lines = linesFrom({"validate", "--case", "patrol51-turn-20", "--out", at("reports")});
+    EXPECT_EQ(lines.front(), "case,kind,quantity,measured,reference,error,tolerance,result");
+    ASSERT_EQ(lines.size(), 4u);  // track, heading, roll
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        EXPECT_NE(lines[i].find(",verification,"), std::string::npos) << lines[i];
+    EXPECT_EQ(read("reports/validation.pdf").substr(0, 4), "%PDF");
+}
+
+TEST_F(Tools, EveryValidationCaseIsASoundDocument) {
+    for (const auto& entry : std::filesystem::directory_iterator(SAGARA_ASSETS "/validation")) {
+        if (entry.path().extension() != ".json") continue;
+        const Outcome outcome =
+            sim({"validate", "--case", entry.path().stem().string(), "--out", at("reports")});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+}
+
+TEST_F(Tools, PilotCardHasDeepAndShallowWater) {
+    simDone({"pilot-card", "--vessel", "patrol51", "--pdf", at("card.pdf")});
+    EXPECT_EQ(read("card.pdf").substr(0, 4), "%PDF");
+}
+
+TEST_F(Tools, WhatCannotBeDoneIsRefused) {
+    expectRefused({"manoeuvre", "--vessel", "kon-tiki", "--test", "turning"},
+                  "there is no vessel \"kon-tiki\"");
+    expectRefused({"manoeuvre", "--vessel", "patrol51", "--model", "magic", "--test", "turning"}, "magic");
+    expectRefused({"manoeuvre", "--vessel", "patrol51", "--test", "dancing"}, "dancing");
+    expectRefused({"manoeuvre", "--vessel", "patrol51", "--test", "turning", "--rudder-deg", "nan"},
+                  "--rudder-deg");
+    expectRefused({"forces", "--vessel", "patrol51", "--state", "1,2,3,4,5,6"}, "--state");
+    const Outcome none = sim({"validate", "--case", "none", "--out", at("reports")});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_NE(none.err.find("none.json"), std::string::npos) << none.err;
+}
+
+}  // namespace
+}  // namespace sagara::run::test
