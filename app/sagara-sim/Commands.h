@@ -45,5 +45,8 @@ void addBackup(Commands& commands);
 void addManoeuvre(Commands& commands);
 void addDecay(Commands& commands);
 void addForces(Commands& commands);
+void addSea(Commands& commands);
+void addWindLoad(Commands& commands);
+void addSquat(Commands& commands);
 
 }  // namespace sagara::sim

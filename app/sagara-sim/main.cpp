@@ -20,6 +20,9 @@ int main(int argc, char** argv) {
              addManoeuvre,
              addDecay,
              addForces,
+             addSea,
+             addWindLoad,
+             addSquat,
          }) {
         add(commands);
     }

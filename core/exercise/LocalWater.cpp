@@ -105,8 +105,11 @@ Load confinedLoad(const World& world, const State& state, std::size_t index, con
     const ShipMotion& m = state.ships[index].motion;
     Load load;
     if (asked.hull && !ship.modelFeelsDepth) {
+        ShipMotion drift = m;
+        drift.yawRate_radps = 0.0;
         const Load deep = ship.dynamics.hullForces(m, actuators).hull;
-        load = load + shallowHullLoad(hull, deep, m.surge_mps, depth_m);
+        const Load deepDrift = ship.dynamics.hullForces(drift, actuators).hull;
+        load = load + shallowHullLoad(hull, deep, deepDrift, m.surge_mps, depth_m);
     }
     if (asked.bank) {
         const double eta = bankAsymmetry(world.area, m.position(), m.heading_rad, hull.lengthBp_m,

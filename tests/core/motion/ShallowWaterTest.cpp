@@ -81,14 +81,17 @@ TEST(ShallowHull, FactorsGrowAsTheWaterGetsShallow) {
 }
 
 TEST(ShallowHull, AddsNothingInDeepWaterAndOnlyResistsMore) {
-    const Load deep{.surge_N = -4e5, .sway_N = -2e6, .yaw_Nm = -3e8};
-    EXPECT_EQ(shallowHullLoad(kTanker, deep, 5.0, 200.0).sway_N, 0.0);
-    const Load extra = shallowHullLoad(kTanker, deep, 5.0, 1.2 * kTanker.draught_m);
+    const Load drift{.surge_N = -4e5, .sway_N = -2e6, .yaw_Nm = -3e8};
+    const Load both{.surge_N = -4e5, .sway_N = -2e6, .yaw_Nm = -5e8};
+    EXPECT_EQ(shallowHullLoad(kTanker, both, drift, 5.0, 200.0).sway_N, 0.0);
+    const double depth_m = 1.2 * kTanker.draught_m;
+    const Load extra = shallowHullLoad(kTanker, both, drift, 5.0, depth_m);
     EXPECT_LT(extra.surge_N, 0.0);
-    EXPECT_NEAR(extra.sway_N / deep.sway_N, 2.44103, 1e-4);  // factor of the table less one
-    EXPECT_NEAR(extra.yaw_Nm / deep.yaw_Nm, 2.84727, 1e-4);
-    EXPECT_EQ(shallowHullLoad(kTanker, {.surge_N = 1e5}, 5.0, 30.0).surge_N,
-              0.0);  // what drives her is not drag
+    EXPECT_NEAR(extra.sway_N / drift.sway_N, 2.44103, 1e-4);  // factor of the table less one
+    const double turning = shallowFactors(kTanker, depth_m).Nr - 1.0;
+    EXPECT_NEAR(extra.yaw_Nm, 2.84727 * -3e8 + turning * -2e8, 1e5);
+    const Load driven{.surge_N = 1e5};  // what drives her is not drag
+    EXPECT_EQ(shallowHullLoad(kTanker, driven, driven, 5.0, 30.0).surge_N, 0.0);
 }
 
 TEST(Bank, LoadsAreNorrbinsAtTheReferencesPoints) {
