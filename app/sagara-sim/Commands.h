@@ -47,5 +47,8 @@ void addDecay(Commands& commands);
 void addForces(Commands& commands);
 void addPilotCard(Commands& commands);
 void addValidate(Commands& commands);
+void addSea(Commands& commands);
+void addWindLoad(Commands& commands);
+void addSquat(Commands& commands);
 
 }  // namespace sagara::sim

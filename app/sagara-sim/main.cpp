@@ -22,6 +22,9 @@ int main(int argc, char** argv) {
              addForces,
              addPilotCard,
              addValidate,
+             addSea,
+             addWindLoad,
+             addSquat,
          }) {
         add(commands);
     }

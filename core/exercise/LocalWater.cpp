@@ -1,5 +1,6 @@
 #include "core/exercise/LocalWater.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/motion/BankLoad.h"
@@ -29,6 +30,7 @@ SlenderShip slender(const TargetLayout& layout, const TargetState& t) {
 Load passingLoad(const World& world, const State& state, std::size_t index, double depth_m) {
     const OwnShip& own = *world.ships[index];
     const double density = own.vessel.hull.waterDensity_kgpm3;
+    depth_m = std::max(depth_m, own.vessel.hull.draught_m);  // aground too
     const SlenderShip self = slender(own, state.ships[index].motion);
     Load load;
     for (std::size_t i = 0; i < state.ships.size(); ++i) {
@@ -105,8 +107,11 @@ Load confinedLoad(const World& world, const State& state, std::size_t index, con
     const ShipMotion& m = state.ships[index].motion;
     Load load;
     if (asked.hull && !ship.modelFeelsDepth) {
+        ShipMotion drift = m;
+        drift.yawRate_radps = 0.0;
         const Load deep = ship.dynamics.hullForces(m, actuators).hull;
-        load = load + shallowHullLoad(hull, deep, m.surge_mps, depth_m);
+        const Load deepDrift = ship.dynamics.hullForces(drift, actuators).hull;
+        load = load + shallowHullLoad(hull, deep, deepDrift, m.surge_mps, depth_m);
     }
     if (asked.bank) {
         const double eta = bankAsymmetry(world.area, m.position(), m.heading_rad, hull.lengthBp_m,
@@ -127,7 +132,8 @@ void pushTarget(const World& world, const State& state, const TargetLayout& layo
         if (!own.vessel.shallow.ships) continue;
         const SlenderShip other = slender(own, state.ships[i].motion);
         if (distance(self.position, other.position) > 2.0 * (self.length_m + other.length_m)) continue;
-        if (depth_m < 0.0) depth_m = std::max(world.area.depth_m(target.position) + now.tide_m, 0.1);
+        if (depth_m < 0.0)
+            depth_m = std::max(world.area.depth_m(target.position) + now.tide_m, layout.draught_m);
         load = load + interactionLoad(self, other, depth_m, kSeaWaterDensity_kgpm3);
     }
     if (depth_m < 0.0) return;

@@ -172,6 +172,9 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
                                   {"centroidHeight_m", neat(wind.height_m)}},
                                  "coefficients: Blendermann 1994; areas of the hull above water and of a "
                                  "superstructure usual for the type and size");
+    document["shallowWater"] = marked(
+        {{"squat", "barrass"}, {"hull", "kijima"}, {"bank", "norrbin"}, {"ships", "slender-body"}},
+        "squat: Barrass 1979; hull: Kijima & Nakiri 1990; banks: Norrbin 1974; ships: Tuck & Newman 1974");
     document["mooring"] = mooringGroup(f, number);
     document["groundTackle"] = groundTackleGroup(f, number);
     return document;

@@ -7,6 +7,7 @@
 #include "core/exercise/Advance.h"
 #include "core/exercise/Forces.h"
 #include "core/exercise/LocalWater.h"
+#include "core/exercise/Snapshot.h"
 #include "core/exercise/TickLoads.h"
 #include "core/sea/SeaOrder.h"
 #include "tests/support/Assets.h"
@@ -48,8 +49,8 @@ TEST(SeaDocument, AMeasuredSeaIsItsRecord) {
     const std::string document = test::readAsset("waves/ndbc-41010.json");
     const auto begin = document.find('{', document.find("\"records\"")), end = document.find('}', begin);
     const std::string record = document.substr(begin, end - begin + 1);
-    const auto world = test::worldOf(
-        test::with(calmSea(), "/weather/sea", R"({"spectrum": "measured", "record": )" + record + "}"));
+    const auto world = test::worldOf(test::with(
+        calmSea(), "/weather/sea", std::string(R"({"spectrum": "measured", "record": )") + record + "}"));
     EXPECT_NEAR(heightOf(startState(*world, 3)), 0.83 * world->level(3).seaFactor, 0.05);
     EXPECT_GT(world->sea.size(), 20u);
 }
@@ -81,7 +82,7 @@ TEST(SeaDocument, TheSeaFollowsTheWindAgainOnceATrainerOrdersWind) {
 /// Open water, one tanker under way to the north at 8 kn, no waves and no wind.
 std::string calmWater(const std::string& vessel = "esso-osaka") {
     std::string text = test::openWaterScenario(1, 0);
-    text = test::with(text, "/ownShips/0/vessel", '"' + vessel + '"');
+    text = test::with(text, "/ownShips/0/vessel", std::string("\"") + vessel + "\"");
     text = test::with(text, "/weather/wind/speed_kn", "0");
     text = test::with(text, "/weather/wind/gustiness", "0");
     return test::with(text, "/weather/swells", "[]");
@@ -95,14 +96,16 @@ std::string withStream(const std::string& text, double rate_mps) {
         for (int column = 0; column < 2; ++column) {
             const double there_m = -20'000.0 + 200.0 * row;
             const double share = std::clamp((there_m - 2000.0) / 400.0, 0.0, 1.0);
-            east += (east.empty() ? "" : ",") + std::to_string(rate_mps * share);
-            north += (north.empty() ? "" : ",") + std::string("0");
+            if (!east.empty()) east += ",";
+            east += std::to_string(rate_mps * share);
+            north += north.empty() ? "0" : ",0";
         }
     }
-    return test::with(text, "/weather/streams",
-                      R"({"source": "test", "fields": [{"southWest": {"north_m": -20000, "east_m": -20000},
-        "spacing_m": 200, "rows": 201, "columns": 2, "unit": 1, "north": [)" +
-                          north + R"(], "east": [)" + east + "]}]}");
+    return test::with(
+        text, "/weather/streams",
+        std::string(R"({"source": "test", "fields": [{"southWest": {"north_m": -20000, "east_m": -20000},
+        "spacing_m": 200, "rows": 201, "columns": 2, "unit": 1, "north": [)") +
+            north + R"(], "east": [)" + east + "]}]}");
 }
 
 TEST(LocalCurrent, IsTheUniformOneWithoutStreams) {
@@ -137,15 +140,19 @@ TEST(LocalCurrent, AShipThatEntersAStreamIsCarriedOnlyAsFastAsItTakesHold) {
     State state = startState(*world, 3);
     ShipMotion& m = state.ships[0].motion;
     m = {};
-    m.north_m = 2050.0;  // half way in
+    m.north_m = 2200.0;  // half way in, all of her 325 m in the change
     m.east_m = -19'900.0;
     m.surge_mps = 5.0;
     const OwnShip& ship = *world->ships[0];
     const WaterNow now(*world, state, state.time());
     const Load load = streamLoad(*world, now, ship, m, 1e3);
     // bow in a stream to starboard: her mass holds her back, the water turns her bow to starboard
-    EXPECT_NEAR(load.sway_N, -ship.vessel.hull.mass_kg() * 5.0 / 400.0,
-                0.3 * ship.vessel.hull.mass_kg() * 5.0 / 400.0);
+    ShipMotion turned = m;
+    turned.yawRate_radps = -1.0 / 400.0;  // against the turning of the water
+    const double hull_N = ship.dynamics.hullForces(turned, {}, 1e3).hull.sway_N -
+                          ship.dynamics.hullForces(m, {}, 1e3).hull.sway_N;
+    const double momentum_N = -ship.vessel.hull.mass_kg() * 5.0 * 1.0 / 400.0;  // -m u d(current)/dx
+    EXPECT_NEAR(load.sway_N, momentum_N + hull_N, 1e-3 * std::abs(momentum_N));
     EXPECT_GT(load.yaw_Nm, 0.0);
     m.north_m = 15'000.0;  // in an even stream she feels nothing of it
     EXPECT_NEAR(streamLoad(*world, now, ship, m, 1e3).sway_N, 0.0, 1e-3);

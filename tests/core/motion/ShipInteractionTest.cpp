@@ -86,10 +86,14 @@ TEST(ShipInteraction, MeetingPushesTheBowAwayThenDrawsTogetherThenTurnsTheBowAwa
 TEST(ShipInteraction, TheOvertakenShipIsDrawnAheadThenHeldBackAndHerMomentTurnsTwice) {
     const auto loads = passing(4.0, 6.0, false, kApart_m, kDepth_m);  // from astern: first to last
     EXPECT_GT(loads[kAbeam].sway_N, 0.0);
-    double early = 0.0, late = 0.0;
-    for (std::size_t i = 0; i < kAbeam; ++i) early += loads[i].surge_N;
-    for (std::size_t i = kAbeam + 1; i < loads.size(); ++i) late += loads[i].surge_N;
-    EXPECT_NE(early > 0.0, late > 0.0);
+    std::vector<double> surge;  // of one sign after the other, each by its largest
+    for (const Load& l : loads) {
+        if (surge.empty() || surge.back() * l.surge_N < 0.0) surge.push_back(0.0);
+        if (std::abs(l.surge_N) > std::abs(surge.back())) surge.back() = l.surge_N;
+    }
+    ASSERT_GE(surge.size(), 2u);
+    EXPECT_GT(surge[0], 0.05 * largest(loads, &Load::surge_N));
+    EXPECT_LT(surge[1], 0.0);
     EXPECT_GE(signChanges(loads, &Load::yaw_Nm), 2);
 }
 
