@@ -1,3 +1,4 @@
+#include "core/base/Units.h"
 #include "core/bridge/ThrusterControl.h"
 
 #include <gtest/gtest.h>
