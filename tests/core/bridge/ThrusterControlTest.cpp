@@ -1,9 +1,9 @@
-#include "core/base/Units.h"
 #include "core/bridge/ThrusterControl.h"
 
 #include <gtest/gtest.h>
 
 #include "BridgeShip.h"
+#include "core/base/Units.h"
 
 namespace sagara::core {
 namespace {
