@@ -1,6 +1,7 @@
 #include "core/motion/ShipDynamics.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include "core/base/Units.h"
 #include "core/motion/SmoothStep.h"
@@ -13,12 +14,23 @@ namespace {
 struct MakeShip {
     const Vessel& vessel;
     ManoeuvringShip operator()(const PolynomialModel& model) const { return PolynomialShip(model, vessel); }
-    ManoeuvringShip operator()(const SandaruwanModel& model) const { return SandaruwanShip(model, vessel); }
+    ManoeuvringShip operator()(const TransferModel& model) const { return TransferShip(model, vessel); }
     ManoeuvringShip operator()(const MmgModel& model) const { return MmgShip(model, vessel); }
 };
 
 ManoeuvringShip makeShip(const Vessel& vessel, std::string_view model) {
     return std::visit(MakeShip{vessel}, vessel.model(model).value()->parameters);
+}
+
+std::optional<HeightMotion> makeHeightMotion(const Vessel& vessel, std::string_view name) {
+    return std::visit(
+        [&](const auto& model) -> std::optional<HeightMotion> {
+            if constexpr (std::is_base_of_v<TransferModel, std::decay_t<decltype(model)>>)
+                if (model.waves == WaveFeeling::Heights || model.waves == WaveFeeling::HeightsPrinted)
+                    return HeightMotion(model, vessel);
+            return std::nullopt;
+        },
+        vessel.model(name).value()->parameters);
 }
 
 Load mixed(const Load& a, double share, const Load& b) { return share * a + (1.0 - share) * b; }
@@ -49,6 +61,7 @@ WaveLoad::Coefficients ShipDynamics::coefficients(const Vessel& vessel) {
 ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::string_view model)
     : m_model(makeShip(vessel, model)),
       m_holds(vessel.model(model).value()->holds),
+      m_heightMotion(makeHeightMotion(vessel, model)),
       m_shafts(vessel.propulsion.units.size()),
       m_headingFollowsRoll(vessel.model(model).value()->headingFollowsRoll),
       m_thrusters(vessel.thrusters),
@@ -61,7 +74,7 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::st
                          (1.0 + vessel.seakeeping.rollAddedInertiaRatio)),
       m_rollDamping_Nms(0.0),
       m_c(coefficients(vessel)),
-      m_waveLoad(vessel, m_c, waves) {
+      m_waveLoad(vessel, m_c, waves, wavesOf(vessel.model(model).value()->parameters)) {
     if (m_holds) m_elsewhere = makeShip(vessel, m_holds->elsewhere);
     m_rollDamping_Nms =
         vessel.seakeeping.rollDampingRatio * criticalDamping(m_c.rollStiffness, m_rollInertia_kgm2);
@@ -150,6 +163,7 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     rate.pitchRate_radps =
         (load.pitch_Nm - m_c.pitchStiffness * m.pitch_rad - m_c.pitchDamping * m.pitchRate_radps) /
         (m_pitchInertia_kgm2 + m_c.pitchAddedInertia);
+    if (m_heightMotion) m_heightMotion->apply(m, load, waves.heights, rate);
     return rate;
 }
 

@@ -5,14 +5,14 @@
 #include <variant>
 
 #include "core/motion/MmgShip.h"
-#include "core/motion/SandaruwanShip.h"
+#include "core/motion/TransferShip.h"
 #include "core/motion/WaveLoad.h"
 
 namespace sagara::core {
 
 /// One alternative for each kind of model. Each is made from its parameters and the vessel and has
 /// acceleration, hullForces, forceFor, swayAddedMass_kg and ownsRoll.
-using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip, MmgShip>;
+using ManoeuvringShip = std::variant<PolynomialShip, TransferShip, MmgShip>;
 
 /// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
 /// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
@@ -57,6 +57,7 @@ private:
     ManoeuvringShip m_model;
     std::optional<HoldsIn> m_holds;
     std::optional<ManoeuvringShip> m_elsewhere;  ///< there with m_holds
+    std::optional<HeightMotion> m_heightMotion;  ///< instead of springs on the waterplane
     std::size_t m_shafts;
     bool m_headingFollowsRoll;
     Thrusters m_thrusters;

@@ -1,5 +1,7 @@
 #include "core/vessel/ShipModel.h"
 
+#include <type_traits>
+
 namespace sagara::core {
 namespace {
 
@@ -22,23 +24,6 @@ HoldsIn readHolds(const config::Node& node) {
     return h;
 }
 
-SandaruwanModel readSandaruwan(config::Reader& in) {
-    SandaruwanModel m;
-    m.gain_perS = in.number("gain_perS", {1e-5, 2.0, "1/s"});
-    m.timeConstant_s = in.number("timeConstant_s", {0.5, 2000.0, "s"});
-    m.swayGain_m = in.number("swayGain_m", {-400.0, 0.0, "m"});
-    m.swayTimeConstant_s = in.number("swayTimeConstant_s", {0.1, 1000.0, "s"});
-    m.referenceSpeed_mps = in.number("referenceSpeed_mps", {0.5, 30.0, "m/s"});
-    m.scalesWithSpeed = in.flagOr("scalesWithSpeed", true);
-    m.surgeAddedMassRatio = in.number("surgeAddedMassRatio", {0.0, 0.5, ""});
-    m.resistance_kgpm = in.number("resistance_kgpm", {1.0, 1e7, "kg/m"});
-    m.surgeFromTurn_kg = in.number("surgeFromTurn_kg", {0.0, 1e9, "kg"});
-    m.swayAddedMassRatio = in.number("swayAddedMassRatio", {0.1, 3.0, ""});
-    m.yawAddedInertiaRatio = in.number("yawAddedInertiaRatio", {0.1, 3.0, ""});
-    m.crossFlowDrag = in.number("crossFlowDrag", {0.0, 3.0, ""});
-    return m;
-}
-
 template <auto read>
 ShipModel readAs(config::Reader& in) {
     return read(in);
@@ -49,6 +34,9 @@ ShipModel readAs(config::Reader& in) {
 NamedModel readShipModel(config::Reader& in) {
     using Read = ShipModel (*)(config::Reader&);
     const auto read = in.choiceIfKnown<Read>("kind", {{"polynomial", readAs<readPolynomial>},
+                                                      {"nomoto", readAs<readNomoto>},
+                                                      {"barauskis2007", readAs<readBarauskis>},
+                                                      {"ueng2008", readAs<readUeng>},
                                                       {"sandaruwan2010", readAs<readSandaruwan>},
                                                       {"mmg", readAs<readMmg>}});
     const std::string name = in.has("name") ? in.id("name") : in.textOr("kind", "");
@@ -60,6 +48,17 @@ NamedModel readShipModel(config::Reader& in) {
     model.headingFollowsRoll = in.flagOr("headingFollowsRoll", false);
     in.rejectUnknownKeys();
     return model;
+}
+
+WaveFeeling wavesOf(const ShipModel& model) {
+    return std::visit(
+        [](const auto& m) {
+            if constexpr (std::is_base_of_v<TransferModel, std::decay_t<decltype(m)>>)
+                return m.waves;
+            else
+                return WaveFeeling::Pressure;
+        },
+        model);
 }
 
 Seakeeping readSeakeeping(config::Reader& in) {

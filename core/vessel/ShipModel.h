@@ -8,28 +8,14 @@
 #include "core/vessel/MmgModel.h"
 #include "core/vessel/PolynomialModel.h"
 #include "core/vessel/Provenance.h"
+#include "core/vessel/TransferModel.h"
 
 /// Parameters of the manoeuvring models a vessel document can carry. The physics is in core/motion.
 namespace sagara::core {
 
-/// Corrected model of Sandaruwan et al. (2010): non-linear surge, Nomoto yaw, first-order sway driven by yaw.
-struct SandaruwanModel {
-    double gain_perS = 0.0;           ///< K at the reference speed
-    double timeConstant_s = 1.0;      ///< tau at the reference speed
-    double swayGain_m = 0.0;          ///< K_v; negative: the stern swings out
-    double swayTimeConstant_s = 1.0;  ///< tau_v at the reference speed
-    double referenceSpeed_mps = 1.0;
-    bool scalesWithSpeed = true;  ///< K ~ U, tau ~ 1/U (audit, eq 4); false is the paper's constant K and tau
-    double surgeAddedMassRatio = 0.05;
-    double resistance_kgpm = 0.0;     ///< X_uu
-    double surgeFromTurn_kg = 0.0;    ///< X_vr
-    double swayAddedMassRatio = 0.8;  ///< for loads from outside the model
-    double yawAddedInertiaRatio = 0.8;
-    double crossFlowDrag = 0.0;
-};
-
 /// One alternative for each kind of model.
-using ShipModel = std::variant<PolynomialModel, SandaruwanModel, MmgModel>;
+using ShipModel =
+    std::variant<PolynomialModel, NomotoModel, BarauskisModel, UengModel, SandaruwanModel, MmgModel>;
 
 /// Where a published model holds; elsewhere another model of the vessel takes over, smoothly in between.
 struct HoldsIn {
@@ -51,6 +37,8 @@ struct NamedModel {
         false;  ///< heading changes by r cos(phi), as published with some sets; else by r
 };
 NamedModel readShipModel(config::Reader& in);
+/// What the model makes of waves.
+WaveFeeling wavesOf(const ShipModel& model);
 
 /// Heave, pitch and, where the manoeuvring model has none, roll: added mass and damping as ratios.
 struct Seakeeping {
