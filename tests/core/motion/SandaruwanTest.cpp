@@ -15,7 +15,7 @@ Vessel essoOsaka() {
 
 TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
     Vessel vessel = essoOsaka();
-    SandaruwanModel& model = std::get<SandaruwanModel>(vessel.models[0].parameters);
+    SandaruwanModel model = std::get<SandaruwanModel>(vessel.model("sandaruwan2010").value()->parameters);
     model.scalesWithSpeed = false;  // the reference keeps K and tau of the first speed
     vessel.hull.displacement_m3 = 3.194e8 / vessel.hull.waterDensity_kgpm3;
     const SandaruwanShip ship(model, vessel);
@@ -47,7 +47,8 @@ TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
 
 TEST(Sandaruwan, ThrustAt51RpmAnd10KnotsIsTheAuditsNotThePapers) {
     const Vessel vessel = essoOsaka();
-    const SandaruwanShip ship(std::get<SandaruwanModel>(vessel.models[0].parameters), vessel);
+    const SandaruwanShip ship(std::get<SandaruwanModel>(vessel.model("sandaruwan2010").value()->parameters),
+                              vessel);
     ShipMotion m;
     m.surge_mps = 5.1444;
     const double balance =
@@ -58,7 +59,7 @@ TEST(Sandaruwan, ThrustAt51RpmAnd10KnotsIsTheAuditsNotThePapers) {
 TEST(Sandaruwan, StartsFromRestAndKeepsStillWithoutThrust) {
     const Vessel vessel = essoOsaka();
     const WaveTable waves(1, 1e6);
-    const ShipDynamics ship(vessel, waves);
+    const ShipDynamics ship(vessel, waves, "sandaruwan2010");
     ShipMotion m;
     for (int i = 0; i < 50 * 600; ++i) {
         m = rk4Step(m, 0.02, [&](const ShipMotion& x) {

@@ -38,7 +38,8 @@ TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
         EXPECT_GT(p->source.size(), 10u);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel, ::testing::Values("patrol51", "esso-osaka"),
+INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel,
+                         ::testing::Values("patrol51", "esso-osaka", "kvlcc2", "kvlcc2-l7"),
                          [](const auto& row) {
                              return std::regex_replace(std::string(row.param), std::regex("-"), "_");
                          });
@@ -134,7 +135,7 @@ TEST(Vessel, ModelsOfTheSameNameAreRefused) {
     EXPECT_EQ(problemsOf(withModels("{")),
               "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
     EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
-              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010");
+              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010, mmg");
 }
 
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {
