@@ -21,6 +21,7 @@ double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics
         before_mps = m.surge_mps;
         m = rk4Step(m, kStep_s,
                     [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+        m.sway_mps = m.yawRate_radps = 0.0;  // held on a straight course
     }
     return m.surge_mps / shaft_rps;
 }

@@ -6,74 +6,96 @@
 
 #include "core/base/Units.h"
 #include "core/motion/CrossFlow.h"
+#include "core/motion/RaceDrive.h"
+#include "core/motion/SmoothStep.h"
 
 namespace sagara::core {
-namespace {
-
-constexpr std::size_t kFactors = 11;
-
-/// Values of PolynomialTerm::Factor, in its order.
-std::array<double, kFactors> factorValues(const ShipMotion& m) {
-    const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps, phi = m.roll_rad;
-    return {1.0, u, v, r, p, phi, std::abs(u), std::abs(v), std::abs(r), std::abs(p), std::abs(phi)};
-}
-
-double smoothStep(double from, double to, double x) {
-    const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return s * s * (3.0 - 2.0 * s);
-}
-
-}  // namespace
-
 PolynomialShip::PolynomialShip(const PolynomialModel& model, const Vessel& vessel)
     : m_model(model),
       m_hull(vessel.hull),
       m_propellers(propellersOf(vessel.propulsion)),
-      m_steering(vessel.steering) {
+      m_steering(vessel.steering),
+      m_rows(model, vessel),
+      m_mass_kg(m_rows.force_kgpm() * m_rows.length_m()),
+      m_firstMoment_kgm(m_mass_kg * m_rows.length_m()),
+      m_inertia_kgm2(m_firstMoment_kgm * m_rows.length_m()),
+      m_deepWater(inertiaAt(0.0)) {}
+
+PolynomialShip::Inertia PolynomialShip::inertiaAt(double z) const {
     const PolynomialModel& k = m_model;
+    Inertia inertia;
+    inertia.surge_kg = m_mass_kg * (k.mass - k.Xudot - z * k.XudotDepth);
     Eigen::Matrix3d mass;
-    mass << k.mass_kg - k.Yvdot, -(k.mass_kg * k.zG_m + k.Ypdot), k.mass_kg * k.xG_m - k.Yrdot,  //
-        -(k.mass_kg * k.zG_m + k.Kvdot), k.rollInertia_kgm2 - k.Kpdot, -k.Krdot,                 //
-        k.mass_kg * k.xG_m - k.Nvdot, -k.Npdot, k.yawInertia_kgm2 - k.Nrdot;
+    mass << m_mass_kg * (k.mass - k.Yvdot - z * k.YvdotDepth), -m_firstMoment_kgm * (k.mass * k.zG + k.Ypdot),
+        m_firstMoment_kgm * (k.mass * k.xG - k.Yrdot),  //
+        -m_firstMoment_kgm * (k.mass * k.zG + k.Kvdot), m_inertia_kgm2 * (k.Ixx.value_or(1.0) - k.Kpdot),
+        -m_inertia_kgm2 * k.Krdot,  //
+        m_firstMoment_kgm * (k.mass * k.xG - k.Nvdot), -m_inertia_kgm2 * k.Npdot,
+        m_inertia_kgm2 * (k.Izz - k.Nrdot - z * k.NrdotDepth);
     const Eigen::Matrix3d inverse = mass.inverse();
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            m_inverseMass[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = inverse(i, j);
+        for (int j = 0; j < 3; ++j) {
+            inertia.lateral[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = mass(i, j);
+            inertia.inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = inverse(i, j);
+        }
     }
+    return inertia;
 }
 
 double PolynomialShip::publishedShare(double surge_mps) const {
-    return smoothStep(m_model.extensionBelow_mps, m_model.holdsFrom_mps, surge_mps);
+    if (!m_model.lift) return 1.0;
+    return smoothStep(m_model.lift->extensionBelow_mps, m_model.lift->holdsFrom_mps, surge_mps);
 }
 
-Load PolynomialShip::hullLoad(const ShipMotion& m) const {
-    const auto value = factorValues(m);
+HullForces PolynomialShip::hullForces(const ShipMotion& m, const Actuators& actuators, double depth_m) const {
     const double published = publishedShare(m.surge_mps);
-    const double astern = m.surge_mps < 0.0 ? -1.0 : 1.0;
-    Load sum;
-    for (const PolynomialTerm& term : m_model.terms) {
-        double product = (term.crossFlow ? published : 1.0) * (term.turnsAstern ? astern : 1.0);
-        for (const auto factor : term.factors) product *= value[static_cast<std::size_t>(factor)];
-        sum.surge_N += term.surge * product;
-        sum.sway_N += term.sway * product;
-        sum.roll_Nm += term.roll * product;
-        sum.yaw_Nm += term.yaw * product;
-    }
+    HullForces f = m_rows.at(m, actuators, depth_m, published);
     if (published < 1.0) {
-        sum = sum +
-              (1.0 - published) * crossFlowDrag(m_hull, m_model.crossFlowDrag, m.sway_mps, m.yawRate_radps);
+        f.hull = f.hull + (1.0 - published) *
+                              crossFlowDrag(m_hull, m_model.lift->crossFlowDrag, m.sway_mps, m.yawRate_radps);
     }
-    sum.roll_Nm -= m_hull.waterDensity_kgpm3 * kGravity_mps2 * m_hull.metacentricHeight_m *
-                   m_hull.displacement_m3 * m.roll_rad;
+    if (ownsRoll()) {
+        f.hull.roll_Nm -= m_hull.waterDensity_kgpm3 * kGravity_mps2 * m_hull.metacentricHeight_m *
+                          m_hull.displacement_m3 * m.roll_rad;
+    }
+    if (m_model.lift) {
+        f.rudder = f.rudder + rudderLoad(m, actuators);
+        f.propeller = f.propeller + propulsionLoad(m, actuators);
+    }
+    if (m_model.balanced) f.propeller = f.propeller + balancedLoad(m, actuators);
+    if (m_model.race) {
+        const HullForces race =
+            raceDriveForces(*m_model.race, m_rows.length_m(), m_hull.waterDensity_kgpm3, m, actuators);
+        f.rudder = f.rudder + race.rudder;
+        f.propeller = f.propeller + race.propeller;
+    }
+    return f;
+}
+
+Load PolynomialShip::balancedLoad(const ShipMotion& m, const Actuators& actuators) const {
+    Load sum;
+    for (std::size_t i = 0; i < m_propellers.size(); ++i) {
+        const PropulsionUnit& unit = m_propellers[i].unit();
+        const auto thrust = [&](double shaft_rps, double pitch) {
+            return m_propellers[i]
+                .behindHull(shaft_rps, pitch, m.surge_mps, m_hull.waterDensity_kgpm3)
+                .thrust_N;
+        };
+        const double more_N =
+            (1.0 - unit.thrustDeduction) *
+            (thrust(actuators.shaft_rps[i], actuators.pitch[i]) - thrust(m_model.balanced->shaft_rps, 1.0));
+        sum.surge_N += more_N;
+        sum.yaw_Nm -= unit.position.y_m * more_N;
+    }
     return sum;
 }
 
 double PolynomialShip::thrust_N(std::size_t shaft, const Actuators& actuators, double surge_mps) const {
     const Propeller& propeller = m_propellers[shaft];
     const double shaft_rps = actuators.shaft_rps[shaft];
-    const double ratio = shaft_rps / m_model.publishedShaft_rps;
+    const double ratio = shaft_rps / m_model.lift->shaft_rps;
     const double published_N =
-        m_model.publishedThrust_N / static_cast<double>(m_propellers.size()) * ratio * ratio;
+        m_model.lift->thrust_N / static_cast<double>(m_propellers.size()) * ratio * ratio;
     const double share = shaft_rps >= 0.0 ? publishedShare(surge_mps) : 0.0;
     if (share == 1.0) return published_N;
     const double open_N =
@@ -122,36 +144,45 @@ Load PolynomialShip::rudderLoad(const ShipMotion& m, const Actuators& actuators)
         force_N += 0.5 * density * m_steering.areaEach_m2 * m_steering.liftSlope_perRad * angle_rad * inflow2;
     }
     return {.sway_N = -force_N,
-            .roll_Nm = m_model.rudderRollLever_m * force_N,
-            .yaw_Nm = m_model.rudderYawLever_m * force_N};
+            .roll_Nm = m_model.lift->rudderRollLever_m * force_N,
+            .yaw_Nm = m_model.lift->rudderYawLever_m * force_N};
 }
 
-Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate, double /*depth_m*/) const {
+Load PolynomialShip::turningLoad(const ShipMotion& m) const {
+    if (m_model.turningInTerms) return {};
     const PolynomialModel& k = m_model;
     const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
-    Load f;
-    f.surge_N =
-        (k.mass_kg - k.Xudot) * rate.surge_mps - k.mass_kg * (v * r + k.xG_m * r * r - k.zG_m * p * r);
-    f.sway_N = (k.mass_kg - k.Yvdot) * rate.sway_mps - (k.mass_kg * k.zG_m + k.Ypdot) * rate.rollRate_radps +
-               (k.mass_kg * k.xG_m - k.Yrdot) * rate.yawRate_radps + k.mass_kg * u * r;
-    f.yaw_Nm = (k.mass_kg * k.xG_m - k.Nvdot) * rate.sway_mps - k.Npdot * rate.rollRate_radps +
-               (k.yawInertia_kgm2 - k.Nrdot) * rate.yawRate_radps + k.mass_kg * k.xG_m * u * r;
-    return f;
+    const double mass_kg = k.mass * m_mass_kg, forward_kgm = k.mass * k.xG * m_firstMoment_kgm,
+                 down_kgm = k.mass * k.zG * m_firstMoment_kgm;
+    return {.surge_N = mass_kg * v * r + forward_kgm * r * r - down_kgm * p * r,
+            .sway_N = -mass_kg * u * r,
+            .roll_Nm = down_kgm * u * r,
+            .yaw_Nm = -forward_kgm * u * r};
+}
+
+Load PolynomialShip::forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m) const {
+    const Inertia inertia = inertiaIn(depth_m);
+    const std::array<double, 3> a{rate.sway_mps, rate.rollRate_radps, rate.yawRate_radps};
+    const auto row = [&](std::size_t i) {
+        return inertia.lateral[i][0] * a[0] + inertia.lateral[i][1] * a[1] + inertia.lateral[i][2] * a[2];
+    };
+    const Load turning = turningLoad(m);
+    return {.surge_N = inertia.surge_kg * rate.surge_mps - turning.surge_N,
+            .sway_N = row(0) - turning.sway_N,
+            .yaw_Nm = row(2) - turning.yaw_Nm};
 }
 
 PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actuators& actuators,
-                                                const Load& external, double /*depth_m*/) const {
-    const PolynomialModel& k = m_model;
-    const double u = m.surge_mps, v = m.sway_mps, r = m.yawRate_radps, p = m.rollRate_radps;
-    const Load f = hullLoad(m) + propulsionLoad(m, actuators) + rudderLoad(m, actuators) + external;
-    const double surge_N = f.surge_N + k.mass_kg * (v * r + k.xG_m * r * r - k.zG_m * p * r);
-    const std::array<double, 3> lateral{f.sway_N - k.mass_kg * u * r, f.roll_Nm + k.mass_kg * k.zG_m * u * r,
-                                        f.yaw_Nm - k.mass_kg * k.xG_m * u * r};
+                                                const Load& external, double depth_m) const {
+    const HullForces own = hullForces(m, actuators, depth_m);
+    const Load f = own.hull + own.rudder + own.propeller + turningLoad(m) + external;
+    const Inertia inertia = inertiaIn(depth_m);
+    const std::array<double, 3> lateral{f.sway_N, ownsRoll() ? f.roll_Nm : 0.0, f.yaw_Nm};
     const auto row = [&](std::size_t i) {
-        return m_inverseMass[i][0] * lateral[0] + m_inverseMass[i][1] * lateral[1] +
-               m_inverseMass[i][2] * lateral[2];
+        return inertia.inverse[i][0] * lateral[0] + inertia.inverse[i][1] * lateral[1] +
+               inertia.inverse[i][2] * lateral[2];
     };
-    return {surge_N / (k.mass_kg - k.Xudot), row(0), row(1), row(2)};
+    return {f.surge_N / inertia.surge_kg, row(0), row(1), row(2), 0.0};
 }
 
 }  // namespace sagara::core

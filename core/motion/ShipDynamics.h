@@ -1,21 +1,24 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
 #include "core/motion/MmgShip.h"
-#include "core/motion/SandaruwanShip.h"
+#include "core/motion/TransferShip.h"
 #include "core/motion/WaveLoad.h"
 
 namespace sagara::core {
 
 /// One alternative for each kind of model. Each is made from its parameters and the vessel and has
 /// acceleration, hullForces, forceFor, swayAddedMass_kg and ownsRoll.
-using ManoeuvringShip = std::variant<PolynomialShip, SandaruwanShip, MmgShip>;
+using ManoeuvringShip = std::variant<PolynomialShip, TransferShip, MmgShip>;
 
 /// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
 /// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
-/// roll where it has not) are springs on the waterplane with added mass and damping.
+/// roll where it has not) are springs on the waterplane with added mass and damping. Where the chosen model
+/// does not hold, another of the vessel takes over: both accelerations, in shares that change smoothly with
+/// speed.
 class ShipDynamics {
 public:
     /// `model`: one the vessel has (Vessel::model tells); the first where the name is empty.
@@ -45,10 +48,20 @@ public:
 private:
     static WaveLoad::Coefficients coefficients(const Vessel& vessel);
 
+    /// 1 where the chosen model holds, 0 where the other has taken over.
+    double shareOf(const ShipMotion& m, const Actuators& actuators) const;
+    double rollOnSpring_radps2(const ShipMotion& m, double heel_Nm) const;
+    PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& load,
+                                    double depth_m) const;
+
     ManoeuvringShip m_model;
+    std::optional<HoldsIn> m_holds;
+    std::optional<ManoeuvringShip> m_elsewhere;  ///< there with m_holds
+    std::optional<HeightMotion> m_heightMotion;  ///< instead of springs on the waterplane
+    std::size_t m_shafts;
+    bool m_headingFollowsRoll;
     Thrusters m_thrusters;
     Hull m_hull;
-    bool m_modelHasRoll;
     double m_mass_kg;
     double m_swayMass_kg;
     double m_pitchInertia_kgm2;

@@ -13,8 +13,9 @@ double smithFactor(double waveNumber_radpm, double z_m, double depth_m) {
     return std::exp(-kz) * (1.0 + std::exp(-2.0 * (kh - kz))) / (1.0 + std::exp(-2.0 * kh));
 }
 
-WaveLoad::WaveLoad(const Vessel& vessel, const Coefficients& coefficients, const WaveTable& table)
-    : m_waterplane(waterplaneOf(vessel.hull)), m_c(coefficients) {
+WaveLoad::WaveLoad(const Vessel& vessel, const Coefficients& coefficients, const WaveTable& table,
+                   WaveFeeling feeling)
+    : m_waterplane(waterplaneOf(vessel.hull)), m_c(coefficients), m_feeling(feeling) {
     const double meanDraught_m = vessel.hull.displacement_m3 / vessel.hull.waterplaneArea_m2();
     for (const WaveComponent& c : table.components()) {
         m_smith.push_back(
@@ -24,6 +25,13 @@ WaveLoad::WaveLoad(const Vessel& vessel, const Coefficients& coefficients, const
 
 WaveEffect WaveLoad::at(const SeaState& sea, const ActiveWaves& waves, NorthEast position, double heading_rad,
                         double shelter) const {
+    if (m_feeling == WaveFeeling::Blind) return {};
+    if (m_feeling != WaveFeeling::Pressure) {
+        const WaveHeights h = waveHeights(m_waterplane, waves, position, heading_rad);
+        WaveEffect effect;
+        effect.heights = {shelter * h.sum_m3, shelter * h.along_m3, shelter * h.across_m3};
+        return effect;
+    }
     const double c = std::cos(heading_rad), s = std::sin(heading_rad), g = kGravity_mps2;
     const double halfLength_m = 0.5 * m_waterplane.length_m, halfBreadth_m = 0.5 * m_waterplane.breadth_m;
     alignas(16) double amplitude_m[kMostActiveComponents];
@@ -69,7 +77,8 @@ WaveEffect WaveLoad::at(const SeaState& sea, const ActiveWaves& waves, NorthEast
                                    .pitch_Nm = sum.pitch_Nm},
             .surge_mps2 = shelter * g * sum.surge_N,
             .sway_mps2 = shelter * g * sum.sway_N,
-            .yaw_radps2 = shelter * g * sum.yaw_Nm};
+            .yaw_radps2 = shelter * g * sum.yaw_Nm,
+            .heights = {}};
 }
 
 }  // namespace sagara::core

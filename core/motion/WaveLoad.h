@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/motion/HeightMotion.h"
 #include "core/motion/Load.h"
 #include "core/motion/ShipMotion.h"
 #include "core/motion/Waterplane.h"
@@ -18,6 +19,7 @@ struct WaveEffect {
     double surge_mps2 = 0.0;
     double sway_mps2 = 0.0;
     double yaw_radps2 = 0.0;
+    WaveHeights heights;  ///< alone, for the models that are pushed by them
 };
 
 /// First-order wave loads on one vessel: closed-form integrals of each component over the waterplane
@@ -32,7 +34,8 @@ public:
         double pitchStiffness, pitchAddedInertia, pitchDamping;
         double rollStiffness;
     };
-    WaveLoad(const Vessel& vessel, const Coefficients& coefficients, const WaveTable& table);
+    WaveLoad(const Vessel& vessel, const Coefficients& coefficients, const WaveTable& table,
+             WaveFeeling feeling = WaveFeeling::Pressure);
 
     /// Sum over the active components at the ship's place, all multiplied by the shelter of that place.
     WaveEffect at(const SeaState& sea, const ActiveWaves& waves, NorthEast position, double heading_rad,
@@ -41,6 +44,7 @@ public:
 private:
     Waterplane m_waterplane;
     Coefficients m_c;
+    WaveFeeling m_feeling;
     std::vector<double> m_smith;  ///< of every component of the table
 };
 

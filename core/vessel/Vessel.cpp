@@ -14,9 +14,27 @@ T readGroup(config::Reader& in, const char* key, T (*read)(config::Reader&)) {
     return read(group);
 }
 
+/// What a model hands over to is there and hands over to no other.
+void checkElsewhere(config::Reader& in, const std::vector<NamedModel>& models) {
+    for (const NamedModel& m : models) {
+        if (!m.holds) continue;
+        const bool there = std::any_of(models.begin(), models.end(), [&](const NamedModel& other) {
+            return other.name == m.holds->elsewhere && !other.holds;
+        });
+        if (!there)
+            in.problem("models",
+                       "has model \"" + m.name + "\" that hands over to \"" + m.holds->elsewhere + "\"",
+                       "a model of this vessel that holds at any speed");
+    }
+}
+
 /// "models", a list in order of preference, or a single "model".
 std::vector<NamedModel> readModels(config::Reader& in) {
-    if (!in.has("models")) return {readGroup(in, "model", readShipModel)};
+    if (!in.has("models")) {
+        const std::vector<NamedModel> one{readGroup(in, "model", readShipModel)};
+        checkElsewhere(in, one);
+        return one;
+    }
     std::vector<NamedModel> models;
     for (const config::Node& node : in.list("models")) {
         config::Reader group(node);
@@ -28,6 +46,7 @@ std::vector<NamedModel> readModels(config::Reader& in) {
         models.push_back(std::move(model));
     }
     if (models.empty()) in.problem("models", "is empty", "at least one model");
+    checkElsewhere(in, models);
     return models;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "SimTest.h"
 #include "Sqlite.h"
 
@@ -20,7 +22,9 @@ TEST_F(ListsAndBackup, WhatIsShippedIsThereAtTheFirstStart) {
     EXPECT_EQ(firstWords(simDone({"list", "scenarios"}).out),
               (std::vector<std::string>{"basic-navigation", "heavy-weather"}));
     const std::string vessels = simDone({"list", "vessels"}).out;
-    EXPECT_EQ(firstWords(vessels), (std::vector<std::string>{"patrol51", "esso-osaka"}));
+    const std::vector<std::string> ids = firstWords(vessels);
+    for (const char* id : {"patrol51", "esso-osaka", "mariner", "opv48", "sr108", "tanker190k"})
+        EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
     EXPECT_NE(vessels.find("51.5 m patrol vessel"), std::string::npos);
     EXPECT_NE(vessels.find("shipped"), std::string::npos);
     EXPECT_EQ(simDone({"list", "runs"}).out, "");

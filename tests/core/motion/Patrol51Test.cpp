@@ -120,7 +120,7 @@ TEST_F(Patrol51, TurnToPortMirrorsTheTurnToStarboard) {
 
 TEST_F(Patrol51, ExtensionIsExactlyZeroInThePublishedRange) {
     PolynomialModel published = std::get<PolynomialModel>(vessel.models[0].parameters);
-    published.crossFlowDrag = 0.0;
+    published.lift->crossFlowDrag = 0.0;
     Vessel without = vessel;
     without.steering.raceShare = 0.0;
     for (PropulsionUnit& unit : without.propulsion.units) unit.thrustCoefficients = {};
@@ -162,7 +162,8 @@ TEST_F(Patrol51, PublishedThrustAndPropellerAgreeAtTheSelfPropulsionPoint) {
         ShipMotion m;
         m.surge_mps = u;
         const double rps = 7.0 * u / 8.0;
-        EXPECT_NEAR(model.propulsionLoad(m, {0.0, {rps, rps}}).surge_N / (1960.0 * u * u), 1.0, 0.01) << u;
+        EXPECT_NEAR(model.hullForces(m, {0.0, {rps, rps}}).propeller.surge_N / (1960.0 * u * u), 1.0, 0.01)
+            << u;
     }
 }
 
@@ -194,14 +195,14 @@ TEST_F(Patrol51, TurnsOnTheSpotWithTheScrewsOpposed) {
 TEST_F(Patrol51, RudderInTheRaceKicksTheSternFromRest) {
     motion.surge_mps = 0.0;
     const Actuators ahead{20.0 * kDegree_rad, {2.0, 2.0}}, stopped{20.0 * kDegree_rad, {0.0, 0.0}};
-    EXPECT_GT(model.rudderLoad(motion, ahead).yaw_Nm, 100e3);
-    EXPECT_EQ(model.rudderLoad(motion, stopped).yaw_Nm, 0.0);
+    EXPECT_GT(model.hullForces(motion, ahead).rudder.yaw_Nm, 100e3);
+    EXPECT_EQ(model.hullForces(motion, stopped).rudder.yaw_Nm, 0.0);
 }
 
 TEST_F(Patrol51, DriftAtRestIsResistedAsTheSourceSays) {
     motion.surge_mps = 0.0;
     motion.sway_mps = 1.0;
-    const double drag_N = -model.hullLoad(motion).sway_N;  // "about 45-50 kN s2/m2"
+    const double drag_N = -model.hullForces(motion, {}).hull.sway_N;  // "about 45-50 kN s2/m2"
     EXPECT_GE(drag_N, 45e3);
     EXPECT_LE(drag_N, 50e3);
 }

@@ -13,12 +13,16 @@ Vessel essoOsaka() {
     return loadVessel("esso-osaka.json", test::readAsset("vessels/esso-osaka.json")).value();
 }
 
+SandaruwanModel paperModel(const Vessel& vessel) {
+    return std::get<SandaruwanModel>(vessel.model("sandaruwan2010").value()->parameters);
+}
+
 TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
     Vessel vessel = essoOsaka();
-    SandaruwanModel model = std::get<SandaruwanModel>(vessel.model("sandaruwan2010").value()->parameters);
+    SandaruwanModel model = paperModel(vessel);
     model.scalesWithSpeed = false;  // the reference keeps K and tau of the first speed
     vessel.hull.displacement_m3 = 3.194e8 / vessel.hull.waterDensity_kgpm3;
-    const SandaruwanShip ship(model, vessel);
+    const TransferShip ship(model, vessel);
     const Load thrust{.surge_N = 1.14381e6};  // constant in the reference
     ShipMotion m;
     m.surge_mps = 5.1444;
@@ -47,8 +51,7 @@ TEST(Sandaruwan, CorrectedModelReproducesTheReferenceTurn) {
 
 TEST(Sandaruwan, ThrustAt51RpmAnd10KnotsIsTheAuditsNotThePapers) {
     const Vessel vessel = essoOsaka();
-    const SandaruwanShip ship(std::get<SandaruwanModel>(vessel.model("sandaruwan2010").value()->parameters),
-                              vessel);
+    const TransferShip ship(paperModel(vessel), vessel);
     ShipMotion m;
     m.surge_mps = 5.1444;
     const double balance =

@@ -39,7 +39,8 @@ TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
     }
 }
 INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel,
-                         ::testing::Values("patrol51", "esso-osaka", "kvlcc2", "kvlcc2-l7"),
+                         ::testing::Values("patrol51", "esso-osaka", "kvlcc2", "kvlcc2-l7", "mariner",
+                                           "opv48", "sr108", "tanker190k"),
                          [](const auto& row) {
                              return std::regex_replace(std::string(row.param), std::regex("-"), "_");
                          });
@@ -96,12 +97,14 @@ TEST(Vessel, PhysicalNonsenseIsRefusedWithTheNumbers) {
 
 TEST(Vessel, ATermThatIsNotAProductIsRefused) {
     EXPECT_NE(problemsOf(replaced(patrol(), "\"of\": \"phi^3\"", "\"of\": \"phi^9\""))
-                  .find("is \"phi^9\", expected up to four"),
+                  .find("is \"phi^9\", expected up to six"),
               std::string::npos);
-    std::array<PolynomialTerm::Factor, 4> f{};
+    std::array<PolynomialTerm::Factor, PolynomialTerm::kFactors> f{};
     EXPECT_TRUE(parseFactors("phi u^2", f));
     EXPECT_EQ(f[2], PolynomialTerm::Factor::Surge);
-    for (const char* bad : {"", "w", "u u u u u", "u^", "u^5", "|u", "u*v"})
+    EXPECT_TRUE(parseFactors("c^2 |atan(v/u)| |delta| z", f));
+    EXPECT_EQ(f[2], absolute(PolynomialTerm::Factor::Sideslip));
+    for (const char* bad : {"", "w", "u^4 v^3", "u^", "u^5", "|u", "u*v"})
         EXPECT_FALSE(parseFactors(bad, f)) << bad;
 }
 
@@ -134,8 +137,23 @@ TEST(Vessel, ModelsAreFoundByNameAndTheFirstIsTheDefault) {
 TEST(Vessel, ModelsOfTheSameNameAreRefused) {
     EXPECT_EQ(problemsOf(withModels("{")),
               "v.json: models[1].name is \"polynomial\" again, expected a name of its own for each model");
-    EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\"")),
-              "v.json: model.kind is \"poly\", expected one of polynomial, sandaruwan2010, mmg");
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"kind\": \"polynomial\"", "\"kind\": \"poly\""))
+                  .find("v.json: model.kind is \"poly\", expected one of polynomial, "),
+              0u);
+}
+
+TEST(Vessel, AModelHandsOverToOneThatIsThere) {
+    const std::string holds =
+        R"({ "holds": { "from_mps": 4, "to_mps": 9, "nothingBelow_mps": 3, "nothingAbove_mps": 11,
+        "shaftFrom_rps": 1, "elsewhere": "mmg" },)";
+    EXPECT_EQ(problemsOf(replaced(patrol(), "\"model\": {", "\"model\": " + holds)),
+              "v.json: models has model \"polynomial\" that hands over to \"mmg\", expected a model of this "
+              "vessel that holds at any speed");
+    const std::string crossed = replaced(holds, "\"to_mps\": 9", "\"to_mps\": 12");
+    EXPECT_NE(problemsOf(replaced(patrol(), "\"model\": {", "\"model\": " + crossed))
+                  .find("v.json: model.holds.from_mps is 4, expected nothingBelow_mps, from_mps, to_mps and "
+                        "nothingAbove_mps in rising order"),
+              std::string::npos);
 }
 
 TEST(Vessel, ANewerDocumentIsRefusedByItsVersion) {

@@ -4,16 +4,14 @@
 
 namespace sagara::core {
 
-/// The founding paper's three equations, corrected (its audit says what was wrong and why):
-///   (M - Xudot) u' = (1 - t) T - X_uu u|u| + (M + X_vr) v r      (eq 3)
-///   tau r' + r     = K delta                                    (eq 4)
-///   tau_v v' + v   = K_v (tau r' + r)                            (eq 5), K_v negative
-/// with K ~ U and tau, tau_v ~ 1/U when the document says so. Loads the paper did not know (wind, waves,
-/// lines, cross flow near rest) act on the mass and inertia of the ship with their added parts.
-class SandaruwanShip {
+/// A ship that turns and drifts by transfer functions: Nomoto, Barauskis, Ueng, and the founding paper with
+/// its audit's corrections (see TransferModel). K ~ U and tau, tau_v ~ 1/U when the document says so. Loads
+/// that these models did not know (wind, lines, cross flow near rest) act on the mass and inertia of the ship
+/// with their added parts.
+class TransferShip {
 public:
-    SandaruwanShip(const SandaruwanModel& model, const Vessel& vessel);
-    /// roll_radps2 is 0: the model has no roll, see VerticalMotion.
+    TransferShip(const TransferModel& model, const Vessel& vessel);
+    /// roll_radps2 is 0: the model has no roll, see ShipDynamics.
     PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& external,
                                     double depth_m = kDeepWater_m) const;
     /// Of yaw and sway the model knows only what they do: their forces are these accelerations times mass and
@@ -26,21 +24,23 @@ public:
 private:
     /// What changes with speed.
     struct Pace {
-        double ratio;
         double gain_perS;
-        double yaw_s;   ///< tau
-        double sway_s;  ///< tau_v
-        double nearRest;
+        double yaw_s;     ///< tau
+        double sway_s;    ///< tau_v
+        double cubic_s2;  ///< n3
+        double nearRest;  ///< share of cross flow, which stands in for dampings that fade with speed
     };
     double thrust_N(double surge_mps, const Actuators& actuators) const;
     Pace paceAt(double surge_mps) const;
+    double turningLoss_kg() const;  ///< what multiplies v r in surge, less the mass
+    double surgeMass_kg() const { return m_hull.mass_kg() * (1.0 + m_model.surgeAddedMassRatio); }
     double swayMass_kg() const { return m_hull.mass_kg() * (1.0 + m_model.swayAddedMassRatio); }
     double yawInertia_kgm2() const {
         return m_hull.mass_kg() * m_hull.pitchGyradius_m * m_hull.pitchGyradius_m *
                (1.0 + m_model.yawAddedInertiaRatio);
     }
 
-    SandaruwanModel m_model;
+    TransferModel m_model;
     Hull m_hull;
     std::vector<Propeller> m_propellers;
 };
