@@ -34,6 +34,7 @@ TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics
     Actuators actuators;
     actuators.shaft_rps.fill(shaft_rps);
     actuators.rudder_rad = 5.0 * kDegree_rad;
+    if (vessel.steering.rudders.empty()) steerDrives(vessel.propulsion, actuators.rudder_rad, actuators);
     ShipMotion m;
     m.surge_mps = advancePerRev_m * shaft_rps;
     constexpr double kLengths = 12.0, kSteps = 600.0;
@@ -54,6 +55,7 @@ OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, co
     : id(std::move(shipId)),
       name(std::move(shipName)),
       vessel(std::move(shipVessel)),
+      propellers(propellersOf(vessel.propulsion)),
       dynamics(vessel, waves, model),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())),
@@ -72,15 +74,16 @@ void holdMotions(std::uint8_t free, ShipMotion& v) {
 Actuators actuatorsOf(const OwnShip& ship, const OwnShipState& state) {
     Actuators actuators;
     actuators.rudder_rad = state.steering.angle_rad;
-    for (std::size_t i = 0; i < ship.shaftCount(); ++i) actuators.shaft_rps[i] = state.shafts[i].speed_rps;
+    showShafts(ship.propellers, state.shafts, actuators);
     for (std::size_t i = 0; i < ship.thrusterCount(); ++i) actuators.thruster[i] = state.thrusters[i].share;
     return actuators;
 }
 
 Actuators runMachinery(const OwnShip& ship, OwnShipState& state, double dt_s) {
     const double rudder_rad = runSteeringGear(ship.vessel.steering, state.steering, dt_s);
-    for (std::size_t i = 0; i < ship.shaftCount(); ++i)
-        runShaft(ship.vessel.propulsion.units[i], state.shafts[i], dt_s);
+    const double steered_rad = ship.vessel.steering.rudders.empty() ? state.steering.angle_rad : 0.0;
+    runShafts(ship.propellers, state.shafts, state.motion, steered_rad, ship.vessel.hull.waterDensity_kgpm3,
+              dt_s);
     for (std::size_t i = 0; i < ship.thrusterCount(); ++i)
         runThruster(ship.vessel.thrusters.units[i], state.thrusters[i], dt_s);
     Actuators actuators = actuatorsOf(ship, state);

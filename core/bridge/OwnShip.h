@@ -30,6 +30,7 @@ struct OwnShip {
     std::string id;
     std::string name;
     Vessel vessel;
+    std::vector<Propeller> propellers;  ///< as propulsion.units
     ShipDynamics dynamics;
     ContactHull hull;
     Keel keel;
@@ -85,7 +86,7 @@ void holdMotions(std::uint8_t free, ShipMotion& velocities);
 struct OwnShipState {
     ShipMotion motion;
     SteeringGearState steering;
-    std::array<ShaftState, kMostShafts> shafts;
+    ShaftStates shafts;
     std::array<ThrusterState, kMostThrusters> thrusters;
     AutopilotState autopilot;
     PilotMemory pilot;

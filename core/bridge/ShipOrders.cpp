@@ -12,6 +12,11 @@ void forShafts(const OwnShip& ship, OwnShipState& state, std::uint8_t shaft, Do&
     }
 }
 
+void moveLever(ShaftState& shaft, double order_rps) {
+    shaft.order_rps = order_rps;
+    shaft.pitchByHand = false;
+}
+
 }  // namespace
 
 void obey(const OwnShip& ship, OwnShipState& state, const HelmOrder& order) {
@@ -24,7 +29,7 @@ void obey(const OwnShip& ship, OwnShipState& state, const TelegraphOrder& order)
     const auto step = static_cast<std::size_t>(order.step);
     if (step >= kTelegraphSteps) return;
     const double speed_rps = ship.vessel.propulsion.telegraph_rps[step];
-    forShafts(ship, state, order.shaft, [&](ShaftState& shaft) { shaft.order_rps = speed_rps; });
+    forShafts(ship, state, order.shaft, [&](ShaftState& shaft) { moveLever(shaft, speed_rps); });
 }
 
 void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order) {
@@ -32,7 +37,18 @@ void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order) {
     const double most = 1.1 * table.back(),
                  least = 1.1 * table.front();  // a lever goes a little beyond the steps
     forShafts(ship, state, order.shaft,
-              [&](ShaftState& shaft) { shaft.order_rps = std::clamp(order.speed_rps, least, most); });
+              [&](ShaftState& shaft) { moveLever(shaft, std::clamp(order.speed_rps, least, most)); });
+}
+
+void obey(const OwnShip& ship, OwnShipState& state, const PitchOrder& order) {
+    forShafts(ship, state, order.shaft, [&](ShaftState& shaft) {
+        shaft.pitchOrder = order.pitch;
+        shaft.pitchByHand = true;
+    });
+}
+
+void obey(const OwnShip& ship, OwnShipState& state, const AzimuthOrder& order) {
+    forShafts(ship, state, order.shaft, [&](ShaftState& shaft) { shaft.azimuthOrder_rad = order.angle_rad; });
 }
 
 void obey(const OwnShip& ship, OwnShipState& state, const ThrusterOrder& order) {

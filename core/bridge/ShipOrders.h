@@ -36,6 +36,26 @@ struct ShaftOrder {
     }
 };
 
+/// Pitch by hand, over the design pitch; the next order of lever or telegraph takes it back.
+struct PitchOrder {
+    std::uint8_t shaft = kAllShafts;
+    double pitch = 1.0;
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.shaft, self.pitch);
+    }
+};
+
+/// Where an azimuth drive is to push the ship, clockwise from ahead.
+struct AzimuthOrder {
+    std::uint8_t shaft = kAllShafts;
+    double angle_rad = 0.0;
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.shaft, self.angle_rad);
+    }
+};
+
 /// Lever of a bow or stern thruster.
 struct ThrusterOrder {
     std::uint8_t thruster = 0;
@@ -88,6 +108,8 @@ struct AnchorOrder {
 void obey(const OwnShip& ship, OwnShipState& state, const HelmOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const TelegraphOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const ShaftOrder& order);
+void obey(const OwnShip& ship, OwnShipState& state, const PitchOrder& order);
+void obey(const OwnShip& ship, OwnShipState& state, const AzimuthOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const ThrusterOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const AutopilotOrder& order);
 void obey(const OwnShip& ship, OwnShipState& state, const PilotOrder& order);

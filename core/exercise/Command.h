@@ -10,10 +10,11 @@
 namespace sagara::core {
 
 /// Every order there is. Recordings hold the index: new kinds go to the end.
-using Order = std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder,
-                           AnchorOrder, WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder,
-                           FinishOrder, NoteOrder, ReportOrder, AddTargetOrder, MoveTargetOrder,
-                           SteerTargetOrder, RouteTargetOrder, FreezeMotionOrder, ThrusterOrder>;
+using Order =
+    std::variant<HelmOrder, TelegraphOrder, ShaftOrder, AutopilotOrder, PilotOrder, LineOrder, AnchorOrder,
+                 WeatherOrder, FaultOrder, TargetOrder, DifficultyOrder, TriggerOrder, FinishOrder, NoteOrder,
+                 ReportOrder, AddTargetOrder, MoveTargetOrder, SteerTargetOrder, RouteTargetOrder,
+                 FreezeMotionOrder, ThrusterOrder, PitchOrder, AzimuthOrder>;
 
 /// The only way into a running exercise: an order, the own ship it is for (or none) and the tick it is
 /// carried out in.

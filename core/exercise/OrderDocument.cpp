@@ -47,6 +47,14 @@ Order readShaftSpeed(config::Reader& in, const OrderNames::Ship& ship) {
     return ShaftOrder{readShaft(in, ship), kRpm_rps * in.number("speed_rpm", {-3000.0, 3000.0, "rpm"})};
 }
 
+Order readPitch(config::Reader& in, const OrderNames::Ship& ship) {
+    return PitchOrder{readShaft(in, ship), 0.01 * in.number("pitch_percent", {-120.0, 150.0, "%"})};
+}
+
+Order readAzimuth(config::Reader& in, const OrderNames::Ship& ship) {
+    return AzimuthOrder{readShaft(in, ship), kDegree_rad * in.number("angle_deg", {-180.0, 360.0, "deg"})};
+}
+
 Order readThruster(config::Reader& in, const OrderNames::Ship& ship) {
     ThrusterOrder order;
     order.thruster = indexOf(in, "thruster", ship.thrusters).value_or(std::uint8_t{0});
@@ -294,7 +302,9 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
         SteerTarget,
         RouteTarget,
         FreeMotions,
-        Thruster
+        Thruster,
+        Pitch,
+        Azimuth
     };
     // A new kind of order: its value in Command.h, its reader above and one line here and below.
     const auto kind = in.choiceIfKnown<Kind>("order", {{"helm", Kind::Helm},
@@ -317,7 +327,9 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
                                                        {"steerTarget", Kind::SteerTarget},
                                                        {"routeTarget", Kind::RouteTarget},
                                                        {"freeMotions", Kind::FreeMotions},
-                                                       {"thruster", Kind::Thruster}});
+                                                       {"thruster", Kind::Thruster},
+                                                       {"pitch", Kind::Pitch},
+                                                       {"azimuth", Kind::Azimuth}});
     std::vector<std::string> shipIds;
     for (const auto& ship : names.ships) shipIds.push_back(ship.id);
     NamedOrder named;
@@ -387,6 +399,12 @@ std::optional<NamedOrder> readOrder(config::Reader& in, const OrderNames& names)
             break;
         case Kind::Thruster:
             named.order = readThruster(in, ship);
+            break;
+        case Kind::Pitch:
+            named.order = readPitch(in, ship);
+            break;
+        case Kind::Azimuth:
+            named.order = readAzimuth(in, ship);
             break;
     }
     return named;

@@ -18,6 +18,19 @@ bool unableToManoeuvre(const OwnShip& ship, const OwnShipState& s) {
            std::all_of(s.shafts.begin(), end, [](const ShaftState& shaft) { return shaft.failed; });
 }
 
+DriveView viewDrive(const OwnShip& ship, const OwnShipState& s, std::size_t i) {
+    const Propeller& propeller = ship.propellers[i];
+    const ShaftState& shaft = s.shafts[i];
+    DriveView v{shaft.pitch, shaft.azimuth_rad, {}, startsLeft(propeller.unit(), shaft)};
+    if (propeller.knowsTorque()) {
+        const double inflow_mps = inflowOf_mps(propeller.unit(), s.motion, shaft.azimuth_rad);
+        v.torque_Nm =
+            propeller.force(shaft.speed_rps, shaft.pitch, inflow_mps, ship.vessel.hull.waterDensity_kgpm3)
+                .torque_Nm;
+    }
+    return v;
+}
+
 OwnShipView viewShip(const OwnShip& ship, const OwnShipState& s, NorthEast current) {
     OwnShipView v;
     v.motion = s.motion;
@@ -27,6 +40,7 @@ OwnShipView viewShip(const OwnShip& ship, const OwnShipState& s, NorthEast curre
     for (std::size_t i = 0; i < ship.shaftCount(); ++i) {
         v.shafts_rps.push_back(s.shafts[i].speed_rps);
         v.shaftOrders_rps.push_back(s.shafts[i].order_rps);
+        v.drives.push_back(viewDrive(ship, s, i));
     }
     v.thrusters.assign(s.thrusters.begin(),
                        s.thrusters.begin() + static_cast<std::ptrdiff_t>(ship.thrusterCount()));

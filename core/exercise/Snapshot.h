@@ -1,11 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/assess/Observation.h"
 #include "core/exercise/State.h"
 
 namespace sagara::core {
+
+/// Blades, azimuth drive and engine of one shaft, as far as she has them.
+struct DriveView {
+    double pitch = 1.0;  ///< over the design pitch
+    double azimuth_rad = 0.0;
+    std::optional<double> torque_Nm;   ///< into the propeller, where it is known
+    std::optional<double> startsLeft;  ///< of the starting air
+};
 
 /// One own ship as observers may see her.
 struct OwnShipView {
@@ -15,6 +24,7 @@ struct OwnShipView {
     double rudderOrder_rad = 0.0;
     std::vector<double> shafts_rps;
     std::vector<double> shaftOrders_rps;
+    std::vector<DriveView> drives;         ///< as shafts_rps
     std::vector<ThrusterState> thrusters;  ///< bow to stern as in her document
     AutopilotState autopilot;
     bool pilotEngaged = false;

@@ -8,7 +8,9 @@
 namespace sagara::core {
 
 TrialShip::TrialShip(const Vessel& vessel, std::string_view model)
-    : m_vessel(vessel), m_dynamics(m_vessel, m_calm, model) {}
+    : m_vessel(vessel),
+      m_propellers(propellersOf(m_vessel.propulsion)),
+      m_dynamics(m_vessel, m_calm, model) {}
 
 void TrialShip::begin(const Approach& approach) {
     m_motion = {};
@@ -26,10 +28,9 @@ void TrialShip::orderShafts(double speed_rps) {
 void TrialShip::step(double step_s) {
     Actuators actuators;
     actuators.rudder_rad = runSteeringGear(m_vessel.steering, m_gear, step_s);
-    for (std::size_t i = 0; i < m_vessel.propulsion.units.size(); ++i) {
-        runShaft(m_vessel.propulsion.units[i], m_shafts[i], step_s);
-        actuators.shaft_rps[i] = m_shafts[i].speed_rps;
-    }
+    runShafts(m_propellers, m_shafts, m_motion, m_vessel.steering.rudders.empty() ? m_gear.angle_rad : 0.0,
+              m_vessel.hull.waterDensity_kgpm3, step_s);
+    showShafts(m_propellers, m_shafts, actuators);
     m_motion = rk4Step(m_motion, step_s,
                        [&](const ShipMotion& m) { return m_dynamics.derivative(m, actuators, {}, {}, {}); });
     m_time_s += step_s;

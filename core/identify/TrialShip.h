@@ -37,10 +37,11 @@ public:
 private:
     Vessel m_vessel;
     WaveTable m_calm{1, 1e6};
+    std::vector<Propeller> m_propellers;
     ShipDynamics m_dynamics;
     ShipMotion m_motion;
     SteeringGearState m_gear;
-    std::array<ShaftState, kMostShafts> m_shafts{};
+    ShaftStates m_shafts{};
     double m_time_s = 0.0;
 };
 

@@ -101,6 +101,24 @@ Json steeringGroup(const Form& f, const Rudders& r) {
         "of it; rate of SOLAS II-1/29 and above");
 }
 
+/// A tunnel as deep as it goes, loaded as makers load them: 320 kW per square metre.
+Json thrusterGroup(double power_W, const Form& f) {
+    constexpr double kLoading_Wpm2 = 320e3;
+    const double diameter_m =
+        std::clamp(std::sqrt(4.0 / kPi * power_W / kLoading_Wpm2), 0.15, 0.6 * f.draught_m);
+    Json units = Json::array();
+    units.push_back({{"id", "bow"},
+                     {"x_m", neat(0.41 * f.length_m)},
+                     {"y_m", 0.0},
+                     {"height_m", neat(-std::max(0.55 * f.draught_m, f.draught_m - 1.2 * diameter_m))},
+                     {"diameter_m", neat(diameter_m)},
+                     {"power_kW", neat(1e-3 * power_W)},
+                     {"rampTime_s", 5.0}});
+    return marked({{"units", units}},
+                  "power as entered; thrust Beveridge 1972; tunnel of 320 kW per square metre, as low as it "
+                  "goes, 0.41 Lpp forward; ramp usual of electric drives");
+}
+
 struct Windage {
     double frontal_m2, lateral_m2, forward_m, height_m;
 };
@@ -148,6 +166,7 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
                                     "roll damping with the lift damping of the service speed");
     document["propulsion"] = propulsionGroup(p, f, drive, shafts_m);
     document["steering"] = steeringGroup(f, rudders);
+    if (p.bowThruster_W) document["thrusters"] = thrusterGroup(*p.bowThruster_W, f);
     document["windage"] = marked({{"blendermannType", kind.blendermannType},
                                   {"frontalArea_m2", neat(wind.frontal_m2)},
                                   {"lateralArea_m2", neat(wind.lateral_m2)},

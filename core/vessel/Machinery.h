@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/Planar.h"
+#include "core/vessel/OpenWater.h"
 #include "core/vessel/Provenance.h"
 
 namespace sagara::core {
@@ -28,7 +30,37 @@ const char* telegraphStepName(TelegraphStep step);
 /// Shaft speed of every step, signed, ahead positive; strictly increasing, 0 at Stop.
 using TelegraphTable = std::array<double, kTelegraphSteps>;
 
-/// A fixed-pitch propeller on its shaft and the engine that turns it.
+/// Blades that turn in their hub. Pitch is over the design pitch: 1 there, below 0 it drives astern. The
+/// shaft turns one way; the lever (an order of shaft speed, astern negative) sets pitch first, then
+/// revolutions.
+struct PitchControl {
+    double least = -0.7;
+    double most = 1.0;
+    double rate_perS = 0.05;
+    double slowest_rps = 0.0;  ///< of the shaft
+};
+
+/// A drive that turns about a vertical axis. The wheel turns it too.
+struct AzimuthDrive {
+    double rate_radps = 0.2;
+};
+
+/// Compressed air that starts a direct-drive engine, ahead or astern.
+struct StartAir {
+    double starts = 12.0;     ///< in full bottles
+    double refill_s = 150.0;  ///< of the compressors, for one start
+};
+
+/// What turns a shaft, where the document says so: torque, inertia, starting.
+struct Engine {
+    double torque_Nm = 0.0;            ///< at the shaft, at full speed
+    double full_rps = 0.0;             ///< of the shaft
+    double idle_rps = 0.0;             ///< slowest it runs
+    double inertia_kgm2 = 0.0;         ///< of engine, shaft, propeller and its water, at the shaft
+    std::optional<StartAir> startAir;  ///< none: a clutch, or electric
+};
+
+/// A propeller on its shaft and what turns it.
 struct PropulsionUnit {
     std::string id;
     BodyPoint position;
@@ -36,9 +68,13 @@ struct PropulsionUnit {
     std::array<double, 3> thrustCoefficients{};  ///< KT = c0 + c1 J + c2 J^2, ahead
     double wakeFraction = 0.0;
     double thrustDeduction = 0.0;
-    double asternThrustRatio = 0.0;  ///< bollard pull astern over ahead at the same shaft speed
-    double shaftRate_rpsps = 0.0;    ///< fastest change of shaft speed
-    double reversingTime_s = 0.0;    ///< shaft stands still that long between ahead and astern
+    double asternThrustRatio = 0.0;       ///< bollard pull astern over ahead; with openWater: unused
+    double shaftRate_rpsps = 0.0;         ///< fastest change of shaft speed
+    double reversingTime_s = 0.0;         ///< shaft stands still that long between ahead and astern
+    std::optional<OpenWater> openWater;   ///< all four quadrants, with torque; none: see Propeller
+    std::optional<PitchControl> pitch;    ///< none: fixed blades
+    std::optional<AzimuthDrive> azimuth;  ///< none: a shaft
+    std::optional<Engine> engine;         ///< none: the shaft follows its order at its rate
 };
 
 struct Propulsion {
@@ -48,7 +84,7 @@ struct Propulsion {
 };
 Propulsion readPropulsion(config::Reader& in);
 
-/// Rudders are moved together by one gear with two pumps.
+/// Rudders are moved together by one gear with two pumps. None where azimuth drives steer.
 struct Steering {
     std::vector<BodyPoint> rudders;
     double areaEach_m2 = 0.0;

@@ -75,6 +75,7 @@ void checkSizes(const Particulars& p, config::Problems& problems) {
                                            " m3, a block coefficient of 0.3 to 0.9"
                                      : std::string("0.3 to 0.9"));
     }
+    if (p.bowThruster_W) check.number("bowThruster_W", *p.bowThruster_W, 5e3, 5e6, "W");
     if (p.propellerDiameter_m)
         check.number("propellerDiameter_m", *p.propellerDiameter_m, rounded(0.3 * p.draught_m, 0.01),
                      rounded(std::min(12.0, 0.95 * p.draught_m), 0.01), "m");

@@ -58,6 +58,7 @@ struct Particulars {
     int shafts = 1;
     int rudders = 1;
     std::optional<double> propellerDiameter_m;
+    std::optional<double> bowThruster_W;  ///< none: she has none
 
     double volume_m3() const {
         return displacement_m3 ? *displacement_m3

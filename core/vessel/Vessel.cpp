@@ -80,6 +80,10 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.seakeeping = readGroup(in, "seakeeping", readSeakeeping);
     v.propulsion = readGroup(in, "propulsion", readPropulsion);
     v.steering = readGroup(in, "steering", readSteering);
+    const auto turns = [](const PropulsionUnit& unit) { return unit.azimuth.has_value(); };
+    if (in.sound() && v.steering.rudders.empty() &&
+        std::none_of(v.propulsion.units.begin(), v.propulsion.units.end(), turns))
+        in.problem("steering.rudders", "is empty", "at least one rudder, or an azimuth drive");
     if (in.has("thrusters")) v.thrusters = readGroup(in, "thrusters", readThrusters);
     v.windage = readGroup(in, "windage", readWindage);
     v.mooring = readGroup(in, "mooring", readMooringGear);

@@ -53,6 +53,15 @@ double power(double base, int exponent) {
 }
 
 template <std::size_t n>
+std::array<double, 4> polynomial(const Term (&terms)[n], const BScrew& screw) {
+    std::array<double, 4> c{};
+    for (const Term& term : terms)
+        c[static_cast<std::size_t>(term.s)] += term.c * power(screw.pitchRatio, term.t) *
+                                               power(screw.areaRatio, term.u) * power(screw.blades, term.v);
+    return c;
+}
+
+template <std::size_t n>
 double sum(const Term (&terms)[n], const BScrew& screw, double J) {
     double total = 0.0;
     for (const Term& term : terms) {
@@ -66,5 +75,7 @@ double sum(const Term (&terms)[n], const BScrew& screw, double J) {
 
 double BScrew::thrustCoefficient(double J) const { return sum(kThrust, *this, J); }
 double BScrew::torqueCoefficient(double J) const { return sum(kTorque, *this, J); }
+std::array<double, 4> BScrew::thrustPolynomial() const { return polynomial(kThrust, *this); }
+std::array<double, 4> BScrew::torquePolynomial() const { return polynomial(kTorque, *this); }
 
 }  // namespace sagara::core

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace sagara::core {
 
 /// A propeller of the Wageningen B-series in open water at Re 2e6: Oosterveld and van Oossanen (1975), Int.
@@ -12,6 +14,9 @@ struct BScrew {
 
     double thrustCoefficient(double J) const;  ///< T / (rho n^2 D^4)
     double torqueCoefficient(double J) const;  ///< Q / (rho n^2 D^5)
+    /// Their coefficients of 1, J, J^2, J^3.
+    std::array<double, 4> thrustPolynomial() const;
+    std::array<double, 4> torquePolynomial() const;
 };
 
 }  // namespace sagara::core

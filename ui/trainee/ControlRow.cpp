@@ -5,7 +5,10 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "core/base/Angle.h"
+#include "core/base/Units.h"
 #include "ui/trainee/AnchorPanel.h"
 #include "ui/trainee/AutopilotPanel.h"
 #include "ui/trainee/Bearings.h"
@@ -26,6 +29,18 @@ QWidget* scrolled(QWidget* inside) {
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     return area;
+}
+
+/// "pitch 60 %  045°  8 starts", each where the ship has it.
+QString noteOf(const core::PropulsionUnit& unit, const core::DriveView& drive) {
+    QStringList parts;
+    if (unit.pitch) parts << ControlRow::tr("pitch %1 %").arg(std::lround(100.0 * drive.pitch));
+    if (unit.azimuth)
+        parts << ControlRow::tr("%1°").arg(
+            std::lround(core::wrapTwoPi(drive.azimuth_rad) / core::kDegree_rad) % 360, 3, 10,
+            QLatin1Char('0'));
+    if (drive.startsLeft) parts << ControlRow::tr("air %1").arg(static_cast<int>(*drive.startsLeft));
+    return parts.join(QStringLiteral("  "));
 }
 
 }  // namespace
@@ -144,6 +159,9 @@ void ControlRow::show(const core::Snapshot& now, const ShipReadings& readings) {
     for (std::size_t i = 0; i < std::min(m_telegraphs.size(), own.shafts_rps.size()); ++i) {
         m_telegraphs[i]->setShaft(own.shafts_rps[i]);
         if (settled) m_telegraphs[i]->setOrder(own.shaftOrders_rps[i]);
+        if (i < own.drives.size())
+            m_telegraphs[i]->setNote(
+                noteOf(m_run.world()->ships[m_ship]->vessel.propulsion.units[i], own.drives[i]));
     }
     for (std::size_t i = 0; i < std::min(m_thrusters.size(), own.thrusters.size()); ++i) {
         m_thrusters[i]->setThrust(own.thrusters[i].share);

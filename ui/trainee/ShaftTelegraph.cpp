@@ -64,6 +64,12 @@ void ShaftTelegraph::setShaft(double speed_rps) {
     update();
 }
 
+void ShaftTelegraph::setNote(const QString& note) {
+    if (note == m_note) return;
+    m_note = note;
+    update();
+}
+
 void ShaftTelegraph::moveTo(TelegraphStep step) {
     m_step = step;
     update();
@@ -135,6 +141,8 @@ void ShaftTelegraph::paintEvent(QPaintEvent*) {
               tr("ahead"), 0.9 * letters, colours().quietText);
     drawWords(painter, side.translated(0.0, t.bottom() + 0.5 * unit()), Qt::AlignLeft | Qt::AlignVCenter,
               tr("astern"), 0.9 * letters, colours().quietText);
+    const QRectF foot(0.36 * width(), t.bottom() + 0.5 * unit(), 0.6 * width(), 10.0 * unit());
+    drawWords(painter, foot, Qt::AlignRight | Qt::AlignVCenter, m_note, 0.9 * letters, colours().text);
 }
 
 void ShaftTelegraph::take(QPointF p) {

@@ -15,6 +15,8 @@ public:
     /// Shown, not given out: the step nearest to an ordered shaft speed.
     void setOrder(double order_rps);
     void setShaft(double speed_rps);
+    /// Pitch, azimuth, starts left: what there is of them, one short line at the foot.
+    void setNote(const QString& note);
     /// As if by hand.
     void moveTo(core::TelegraphStep step);
     void moveBy(int steps);
@@ -41,6 +43,7 @@ private:
     core::TelegraphTable m_table;
     core::TelegraphStep m_step = core::TelegraphStep::Stop;
     double m_speed_rps = 0.0;
+    QString m_note;
     bool m_held = false;
 };
 

@@ -98,6 +98,9 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     m_propeller = number(right, "propellerDiameter_m", tr("Propeller diameter"), 0, 12, 0, 2, tr("m"),
                          tr("Metres; 0: not known, estimated from the draught"));
     m_propeller->setSpecialValueText(tr("not known"));
+    m_thruster = number(right, "bowThruster_W", tr("Bow thruster"), 0, 5000, 0, 0, tr("kW"),
+                        tr("Kilowatts of a tunnel thruster at the bow; 0: she has none"));
+    m_thruster->setSpecialValueText(tr("none"));
 
     auto* const columns = new QHBoxLayout;
     columns->addLayout(left, 1);
@@ -131,7 +134,7 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     connect(m_timer, &QTimer::timeout, this, &NewVesselDialog::check);
     const auto later = [this] { m_timer->start(); };
     for (QDoubleSpinBox* spin :
-         {m_loa, m_lpp, m_beam, m_draught, m_volume, m_block, m_speed, m_power, m_propeller})
+         {m_loa, m_lpp, m_beam, m_draught, m_volume, m_block, m_speed, m_power, m_propeller, m_thruster})
         connect(spin, &QDoubleSpinBox::valueChanged, this, later);
     for (QSpinBox* spin : {m_shafts, m_rudders}) connect(spin, &QSpinBox::valueChanged, this, later);
     connect(m_kind, &QComboBox::currentTextChanged, this, later);
@@ -202,6 +205,7 @@ core::Particulars NewVesselDialog::particulars() const {
     p.power_W = 1000.0 * m_power->value();
     p.shafts = m_shafts->value();
     p.rudders = m_rudders->value();
+    if (m_thruster->value() > 0.0) p.bowThruster_W = 1e3 * m_thruster->value();
     if (m_propeller->value() > 0.0) p.propellerDiameter_m = m_propeller->value();
     return p;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "BridgeShip.h"
+#include "core/base/Units.h"
 
 namespace sagara::core {
 namespace {

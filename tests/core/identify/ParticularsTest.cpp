@@ -76,6 +76,22 @@ struct Known {
     const char* source;
 };
 
+TEST(Estimate, GivesABowThrusterOnlyWhereItIsAskedFor) {
+    Particulars p = patrol51();
+    EXPECT_TRUE(estimated(p).thrusters.units.empty());
+    p.bowThruster_W = 100e3;
+    const Vessel vessel = estimated(p);
+    ASSERT_EQ(vessel.thrusters.units.size(), 1u);
+    const Thruster& bow = vessel.thrusters.units[0];
+    EXPECT_GT(bow.position.x_m, 0.35 * vessel.hull.lengthBp_m);
+    EXPECT_LT(bow.height_m - 0.5 * bow.diameter_m, -0.5 * vessel.hull.draught_m);
+    EXPECT_GT(bow.height_m - 0.5 * bow.diameter_m, -vessel.hull.draught_m);
+    EXPECT_NEAR(bow.thrust_N, 15e3, 3e3);
+    EXPECT_EQ(vessel.thrusters.provenance.quality, Quality::Estimated);
+    p.bowThruster_W = 1.0;
+    EXPECT_FALSE(vesselFromParticulars(p));
+}
+
 class KnownShip : public ::testing::TestWithParam<Known> {};
 
 TEST_P(KnownShip, EstimatedFromHerParticularsTurnsWithin25Percent) {
