@@ -143,9 +143,10 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
                                     const WaveEffect& waves, NorthEast current, double depth_m) const {
     const Load load = external + waves.load + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a = acceleration(m, actuators, load, depth_m);
+    // A model without roll has its sway in the horizontal plane.
+    const bool tilted = std::visit([](const auto& ship) { return ship.ownsRoll(); }, m_model);
     const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad),
-                 // a model without roll has its sway in the horizontal plane
-        lateral_mps = m_modelHasRoll ? m.sway_mps * std::cos(m.roll_rad) : m.sway_mps;
+                 lateral_mps = tilted ? m.sway_mps * std::cos(m.roll_rad) : m.sway_mps;
     ShipMotion rate;
     rate.north_m = m.surge_mps * c - lateral_mps * s + current.north_m;
     rate.east_m = m.surge_mps * s + lateral_mps * c + current.east_m;
