@@ -131,7 +131,7 @@ Steering readSteering(config::Reader& in) {
         s.rudders.push_back(readBodyPoint(rudder));
         rudder.rejectUnknownKeys();
     }
-    if (!s.rudders.empty()) {
+    if (!s.rudders.empty() || in.has("areaEach_m2")) {
         s.areaEach_m2 = in.number("areaEach_m2", {0.05, 200.0, "m2"});
         s.liftSlope_perRad = in.number("liftSlope_perDeg", {0.005, 0.2, "1/deg"}) / kDegree_rad;
         s.stallAngle_rad = kDegree_rad * in.number("stallAngle_deg", {5.0, 70.0, "deg"});

@@ -18,8 +18,8 @@ ThrusterLever::ThrusterLever(const QString& name, const QString& keys, QWidget* 
     setFocusPolicy(Qt::StrongFocus);
     setToolTip(
         tr("%1, 0 to 100 % each way: click or drag, to the right pushes her end to starboard; mouse "
-           "wheel a tenth, double click stop. The bar is what it pushes; it loses half of its effect at "
-           "5 knots")
+           "wheel a tenth, double click stop. The bar is what it pushes; at some 3 knots "
+           "half of that is lost")
             .arg(name) +
         (keys.isEmpty() ? QString() : tr("; keys %1").arg(keys)));
 }

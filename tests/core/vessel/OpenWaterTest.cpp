@@ -87,7 +87,7 @@ TEST(OpenWater, MayBeATable) {
 TEST(OpenWater, WrongOnesSayWhereAndWhatIsAccepted) {
     EXPECT_NE(
         problemsOf(tankerWith("\"wageningenB\": {\"blades\": 9, \"areaRatio\": 2, \"pitchRatio\": 0.7},"))
-            .find("propulsion.units[0].wageningenB.blades is 9, expected 2 to 7"),
+            .find("propulsion.units[0].wageningenB.blades is 9, expected a whole number from 2 to 7"),
         std::string::npos);
     EXPECT_NE(
         problemsOf(tankerWith(std::string(kScrew) + "\"openWater\": [[0, 0.4, 0.05], [0.5, 0.2, 0.03]],"))
