@@ -8,7 +8,7 @@ namespace sagara::core {
 namespace {
 
 /// Where the side force of the hull acts, over the draught below the waterline.
-constexpr double kLateralForceDepth = 0.4;
+constexpr double kLateralForceDepth = 0.35;
 
 /// KG from GM, KB by Morrish and BM of the waterplane's form (see estimate::Form).
 double gravityDepth_m(const Hull& hull) {

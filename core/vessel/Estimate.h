@@ -51,7 +51,6 @@ struct Rudders {
     double areaEach_m2;
     double liftSlope_perRad;  ///< of free flow at the ship's speed, wake and hull taken in
     double raceShare;
-    double yawLever_m;
     std::vector<double> across_m;  ///< y of each
 };
 Rudders ruddersOf(const Particulars& p, const ShipKind& kind, const Form& form, const Drive& drive,
@@ -61,9 +60,8 @@ std::vector<double> shaftsAcross_m(int count, double beam_m);
 
 /// Hull derivatives of Clarke, Gedling and Hine (1983), SI, speed taken out: Y_v v u and so on.
 struct Derivatives {
-    double Xudot, Yvdot, Yrdot, Nvdot, Nrdot;
+    double Xudot, Yvdot, Nrdot;
     double Yv, Yr, Nv, Nr;
-    double Xvr, Xvv;       ///< Hasegawa (1980); Yoshimura and Masumoto (2012)
     double crossFlowDrag;  ///< Kijima et al. (1990): 2.5 T (1 - Cb) / B + 0.5
 };
 Derivatives derivativesOf(const Form& form);

@@ -123,7 +123,6 @@ Rudders ruddersOf(const Particulars& p, const ShipKind& kind, const Form& f, con
         constexpr double kHardOver = 0.7;  // a rudder hard over is partly out of the race
         r.raceShare = std::min(1.5, kHardOver * share / inflow2);
     }
-    r.yawLever_m = (0.5 + 0.45 * hullShare) / (1.0 + hullShare) * f.length_m;
     return r;
 }
 

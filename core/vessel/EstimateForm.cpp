@@ -50,15 +50,11 @@ Derivatives derivativesOf(const Form& f) {
     Derivatives d{};
     d.Xudot = -2.7 * kWater_kgpm3 * std::pow(f.volume_m3, 5.0 / 3.0) / (L * L);
     d.Yvdot = -k * positive(1.0 + 0.16 * Cb * B / T - 5.1 * (B / L) * (B / L), 0.3) * half * L * L * L;
-    d.Yrdot = -k * (0.67 * B / L - 0.0033 * (B / T) * (B / T)) * half * std::pow(L, 4);
-    d.Nvdot = -k * (1.1 * B / L - 0.041 * B / T) * half * std::pow(L, 4);
     d.Nrdot = -k * positive(1.0 / 12.0 + 0.017 * Cb * B / T - 0.33 * B / L, 0.03) * half * std::pow(L, 5);
     d.Yv = -k * (1.0 + 0.40 * Cb * B / T) * half * L * L;
     d.Yr = -k * (-0.5 + 2.2 * B / L - 0.080 * B / T) * half * L * L * L;
     d.Nv = -k * (0.5 + 2.4 * T / L) * half * L * L * L;
     d.Nr = -k * positive(0.25 + 0.039 * B / T - 0.56 * B / L, 0.08) * half * std::pow(L, 4);
-    d.Xvr = -d.Yvdot * std::clamp(1.07 - 1.11 * Cb, 0.1, 1.0);
-    d.Xvv = std::min(0.0, 1.15 * Cb * B / L - 0.18) * half * L * T;
     d.crossFlowDrag = std::clamp(2.5 * T * (1.0 - Cb) / B + 0.5, 0.4, 1.2);
     return d;
 }

@@ -56,7 +56,8 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     MmgParameters p;
     p.inertia = inertiaOf(f, drive, d);
     MmgHull& h = p.hull = kijimaNonlinear(f.length_m, f.beam_m, f.draught_m, f.block);
-    h.Nrr = std::min(h.Nrr, -0.005);  // of very beamy hulls it would drive the swing
+    h.Nrr = 0.0;
+    h.Nrrr = std::min(0.25 * full - 0.056, -0.015);  // of very beamy hulls it would drive the swing
     addLinear(h, f, d);
     h.R0 = drive.resistance_N /
            (0.5 * kWater_kgpm3 * f.length_m * f.draught_m * drive.speed_mps * drive.speed_mps);
@@ -64,8 +65,8 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     h.Xvvvv = std::max(0.0, 1.1 - 6.68 * full);
     h.Xrr = 0.008 - 0.085 * full;
     h.Xvr = std::max(0.0, 1.91 * full - 0.08) - p.inertia.my;
-    p.range.drift_rad = 20.0 * kDegree_rad;
-    p.range.yawRate = 0.8;
+    p.range.drift_rad = 35.0 * kDegree_rad;
+    p.range.yawRate = 1.5;
     p.range.crossFlowDrag = d.crossFlowDrag;
     p.range.asternResistance = 1.5;
     p.wake.C1 = 2.0;

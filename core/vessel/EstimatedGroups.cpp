@@ -155,13 +155,15 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
                              {"height_m", neat(std::clamp(f.freeboard_m + f.houseHeight_m, 1.5, 60.0))}};
     document["hull"] = hullGroup(f);
     document["model"] = modelGroup(f, drive, rudders);
+    const double froude = drive.speed_mps / std::sqrt(kGravity_mps2 * f.length_m);
     document["seakeeping"] = marked({{"heaveAddedMassRatio", 1.0},
                                      {"heaveDampingRatio", 0.3},
                                      {"pitchAddedInertiaRatio", 1.0},
                                      {"pitchDampingRatio", 0.3},
                                      {"rollAddedInertiaRatio", 0.2},
-                                     {"rollDampingRatio", 0.06}},
-                                    "ratios usual for displacement hulls (Journee & Massie 2001, chapter 8)");
+                                     {"rollDampingRatio", neat(0.05 + 0.2 * froude)}},
+                                    "ratios usual for displacement hulls (Journee & Massie 2001, chapter 8); "
+                                    "roll damping with the lift damping of the service speed");
     document["propulsion"] = propulsionGroup(p, f, drive, shafts_m);
     document["steering"] = steeringGroup(f, rudders);
     if (p.bowThruster_W) document["thrusters"] = thrusterGroup(*p.bowThruster_W, f);

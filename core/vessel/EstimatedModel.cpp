@@ -41,11 +41,12 @@ Json hullGroup(const MmgHull& h) {
          {"Nv", neat(h.Nv)},
          {"Nr", neat(h.Nr)},
          {"Nvv", neat(h.Nvv)},
-         {"Nrr", neat(h.Nrr)},
+         {"Nrrr", neat(h.Nrrr)},
          {"Nvvr", neat(h.Nvvr)},
          {"Nvrr", neat(h.Nvrr)}},
         "linear derivatives: Clarke, Gedling & Hine 1983; higher ones: Kijima, Katsuno, Nakiri & Furukawa "
-        "1990; X: Yoshimura & Masumoto 2012; resistance: what the propeller overcomes at the service speed "
+        "1990, but Nrrr and X of Yoshimura & Masumoto 2012; "
+        "resistance: what the propeller overcomes at the service speed "
         "with 85 % of the power; good to 20 to 30 % in turning");
 }
 

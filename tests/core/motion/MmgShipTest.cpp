@@ -263,6 +263,66 @@ TEST(MmgTwinScrew, TurnsOnTheSpotAndMeetsTheTurnWithEachScrewByItself) {
     EXPECT_LT(parts.screws[0].thrust_N, parts.screws[1].thrust_N);
 }
 
+// --- roll ---
+
+/// KCS, 2.19 m model: Yasukawa, Sakuno and Yoshimura (2019) as in kcs_mmg4dof_coefficients.json, a secondary
+/// transcription: for trends.
+Vessel kcs() {
+    Vessel v = shipped("kvlcc2-l7");
+    v.hull.stations.clear();
+    v.hull.lengthBp_m = 2.1905;
+    v.hull.beam_m = 0.3067;
+    v.hull.draught_m = 0.1029;
+    v.hull.displacement_m3 = 0.0449;
+    v.hull.waterplaneCoefficient = 0.82;
+    v.hull.metacentricHeight_m = 0.008;
+    v.hull.rollGyradius_m = 0.0767;
+    PropulsionUnit& unit = v.propulsion.units[0];
+    unit.position.x_m = -0.48 * 2.1905;
+    unit.diameter_m = 0.0756;
+    unit.thrustCoefficients = {0.50278, -0.29546, -0.18095};
+    unit.wakeFraction = 0.353;
+    unit.thrustDeduction = 0.178;
+    v.steering.areaEach_m2 = 0.00421;
+    v.steering.rudders = {{-0.5 * 2.1905, 0.0}};
+    MmgParameters& p = std::get<MmgModel>(v.models.front().parameters).parameters;
+    p.inertia = {-0.03242, 0.25 * 2.1905, 0.0061, 0.1521, 0.0089};
+    p.hull = {};
+    p.hull.R0 = 0.0183;
+    p.hull.Xvv = -0.0603, p.hull.Xrr = -0.0162, p.hull.Xvvvv = -0.076, p.hull.Xrphi = 0.0258;
+    p.hull.Yv = -0.2162, p.hull.Yr = 0.0245 + 0.0061;  // given as Yr - mx
+    p.hull.Yvvv = -1.7028, p.hull.Yvvr = -0.5658, p.hull.Yvrr = -0.8564, p.hull.Yrrr = -0.0105;
+    p.hull.Nv = -0.1172, p.hull.Nr = -0.0443;
+    p.hull.Nvvv = -0.171, p.hull.Nvvr = -0.5602, p.hull.Nvrr = -0.02, p.hull.Nrrr = -0.0369;
+    p.hull.Yphi = -0.0052, p.hull.Yvvphi = 0.3352, p.hull.Yvrphi = -0.3123, p.hull.Yrrphi = -0.0642;
+    p.hull.Nphi = -0.0063, p.hull.Nvvphi = -0.2532, p.hull.Nvrphi = -0.1152, p.hull.Nrrphi = -0.012;
+    p.wake.C1 = 0.0;
+    p.rudder = {0.0756 / 0.792, 3.0081, 0.441, 0.232, -0.711, -0.774, 0.412, 0.412, 0.9, 0.713};
+    return v;
+}
+
+TEST(MmgRoll, HeelsOutwardInTheTurnAndTurnsAwayFromTheLowSide) {
+    const Vessel vessel = kcs();
+    const MmgShip ship = shipOf(vessel);
+    EXPECT_LT(ship.acceleration(moving(0.8, -0.1, 0.15), {0.6, {10.0}}, {}).heel_Nm, 0.0);  // to port
+    ShipMotion m = moving(1.0, 0.0, 0.0);
+    m.roll_rad = 0.1;  // starboard side down
+    EXPECT_LT(ship.hullForces(m, {}).hull.yaw_Nm, 0.0);
+}
+
+TEST(MmgRoll, MirrorsPortAndStarboardWithTheRoll) {
+    const Vessel vessel = kcs();
+    const MmgShip ship = shipOf(vessel);
+    ShipMotion m = moving(0.8, -0.15, 0.2), mirror = moving(0.8, 0.15, -0.2);
+    m.roll_rad = -0.1;
+    mirror.roll_rad = 0.1;
+    const PlanarAcceleration a = ship.acceleration(m, {0.4, {12.0}}, {}),
+                             b = ship.acceleration(mirror, {-0.4, {12.0}}, {});
+    EXPECT_NEAR(a.surge_mps2, b.surge_mps2, 1e-12);
+    EXPECT_NEAR(a.sway_mps2, -b.sway_mps2, 1e-12);
+    EXPECT_NEAR(a.yaw_radps2, -b.yaw_radps2, 1e-12);
+}
+
 // --- depth ---
 
 TEST(MmgShallow, FactorsAreThePublishedRegressions) {
@@ -324,6 +384,15 @@ Turn hardOver(const Vessel& vessel, double speed_mps, double depth_m) {
     turn.drift_deg = std::atan2(-m.sway_mps, m.surge_mps) / kDegree_rad;
     turn.diameter_L = 2.0 / turn.yawRate;
     return turn;
+}
+
+TEST(MmgRoll, ATurnWithHeelIsTighterThanAStiffShips) {
+    Vessel tender = kcs(), stiff = tender;
+    stiff.hull.metacentricHeight_m = 0.08;
+    const Turn heeled = hardOver(tender, 1.1, kDeepWater_m), upright = hardOver(stiff, 1.1, kDeepWater_m);
+    EXPECT_LT(heeled.tacticalDiameter_L, upright.tacticalDiameter_L);
+    EXPECT_GT(heeled.tacticalDiameter_L, 2.0);
+    EXPECT_LT(upright.tacticalDiameter_L, 4.5);
 }
 
 TEST(EssoOsaka, TurnsAsInHerTrialsInDeepAndShallowWater) {

@@ -39,8 +39,8 @@ TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
     }
 }
 INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel,
-                         ::testing::Values("patrol51", "esso-osaka", "mariner", "opv48", "sr108",
-                                           "tanker190k"),
+                         ::testing::Values("patrol51", "esso-osaka", "kvlcc2", "kvlcc2-l7", "mariner",
+                                           "opv48", "sr108", "tanker190k"),
                          [](const auto& row) {
                              return std::regex_replace(std::string(row.param), std::regex("-"), "_");
                          });
