@@ -45,5 +45,7 @@ void addBackup(Commands& commands);
 void addManoeuvre(Commands& commands);
 void addDecay(Commands& commands);
 void addForces(Commands& commands);
+void addRao(Commands& commands);
+void addHydrostatics(Commands& commands);
 
 }  // namespace sagara::sim

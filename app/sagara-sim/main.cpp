@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
              addManoeuvre,
              addDecay,
              addForces,
+             addRao,
+             addHydrostatics,
          }) {
         add(commands);
     }

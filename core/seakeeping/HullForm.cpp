@@ -9,7 +9,9 @@
 namespace sagara::core {
 
 double usualMidshipCoefficient(double blockCoefficient) {
-    return std::clamp(1.006 - 0.0056 * std::pow(blockCoefficient, -3.56), blockCoefficient + 0.01, 0.995);
+    // The formula is one of cargo ships; fine hulls keep a prismatic coefficient of 0.56 or more.
+    const double kerlen = 1.006 - 0.0056 * std::pow(blockCoefficient, -3.56);
+    return std::clamp(std::min(kerlen, blockCoefficient / 0.56), blockCoefficient, 0.995);
 }
 
 std::vector<HullStation> stationsFrom(double lengthBp_m, double breadth_m, double draught_m,

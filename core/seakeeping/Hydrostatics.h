@@ -39,7 +39,7 @@ struct RightingLever {
 };
 std::vector<RightingLever> rightingLevers(const HullForm& form, const std::vector<double>& heels_rad);
 
-/// `name,value` rows, then the GZ curve as `heel_deg,gz_m` every 5 degrees to 60; notes as comments.
+/// `name,value` rows, with the GZ curve every 5 degrees to 60; notes as comments.
 std::string hydrostaticsReport(const HullForm& form);
 
 /// Integral over the length of values joined by straight lines, times (x - origin)^power, exactly.
