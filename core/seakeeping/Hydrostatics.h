@@ -32,7 +32,8 @@ Hydrostatics hydrostaticsOf(const HullForm& form);
 /// The same numbers from the stations alone, before mass and centre of gravity are known.
 Hydrostatics hydrostaticsOf(const std::vector<HullStation>& stations, double draught_m);
 
-/// Righting lever at fixed displacement, free to sink and not to trim; vertical sides up to the deck.
+/// Righting lever at fixed displacement, free to sink and not to trim. Up to the deck the sides go on as they
+/// meet the waterline, at most 27 degrees from upright: no station says how they do.
 struct RightingLever {
     double heel_rad = 0.0;
     double gz_m = 0.0;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/seakeeping/Hydrostatics.h"
@@ -8,11 +9,21 @@ namespace {
 
 using Polygon = std::vector<SectionPoint>;
 
-/// Whole section up to the deck, anticlockwise seen from ahead of a hull with starboard at y > 0.
+constexpr double kMostFlare = 0.5;  ///< run over rise
+
+/// Whole section up to the deck, the side going on as it meets the water, anticlockwise seen from ahead of a
+/// hull with starboard at y > 0.
 Polygon wholeSection(const std::vector<SectionPoint>& half, double freeboard_m) {
+    const SectionPoint edge = half.back();
+    std::size_t below = half.size() - 1;
+    while (below > 0 && half[below].z_m > 0.1 * half.front().z_m) --below;
+    const double drop_m = edge.z_m - half[below].z_m;
+    const double flare =
+        drop_m > 0.0 ? std::clamp((edge.y_m - half[below].y_m) / drop_m, 0.0, kMostFlare) : 0.0;
+    const double deck_m = edge.y_m + flare * (freeboard_m - edge.z_m);
     Polygon all(half);
-    all.push_back({half.back().y_m, freeboard_m});
-    all.push_back({-half.back().y_m, freeboard_m});
+    all.push_back({deck_m, freeboard_m});
+    all.push_back({-deck_m, freeboard_m});
     for (auto p = half.rbegin(); p != half.rend(); ++p) all.push_back({-p->y_m, p->z_m});
     return all;
 }
@@ -56,9 +67,7 @@ std::vector<RightingLever> rightingLevers(const HullForm& form, const std::vecto
     for (const Strip& strip : stripsOf(form)) {
         if (strip.panels.empty()) continue;
         x_m.push_back(strip.x_m);
-        Polygon half{strip.panels.front().from};
-        for (const SectionPanel& p : strip.panels) half.push_back(p.to);
-        sections.push_back(wholeSection(half, form.freeboard_m));
+        sections.push_back(wholeSection(strip.outline, form.freeboard_m));
     }
     const auto under = [&](double heel_rad, double level_m) {
         std::vector<double> area_m2, moment_m3;

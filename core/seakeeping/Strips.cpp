@@ -18,10 +18,11 @@ void tellFits(const std::vector<Strip>& strips, std::vector<std::string>& notes)
         for (const Strip& strip : strips) {
             if (strip.fit != fit || strip.panels.empty()) continue;
             places += (places.empty() ? "" : ", ") + number(strip.x_m);
-            const double off = 100.0 * (strip.fitted.area_m2 / strip.stated.area_m2 - 1.0);
+            const SectionArea outline = areaOf(panelsOf(strip.outline));
+            const double off = 100.0 * (outline.area_m2 / strip.stated.area_m2 - 1.0);
             if (std::abs(off) > 2.0) places += " (area " + number(off) + " % off)";
-            const double lower_m = strip.fitted.depth_m - strip.stated.depth_m;
-            if (std::abs(lower_m) > kCentroidBand * -strip.panels.front().from.z_m)
+            const double lower_m = outline.depth_m - strip.stated.depth_m;
+            if (std::abs(lower_m) > kCentroidBand * -strip.outline.front().z_m)
                 places += " (centroid " + number(lower_m) + " m lower)";
         }
         if (!places.empty())
@@ -49,10 +50,11 @@ std::vector<Strip> stripsOf(const HullForm& form, std::vector<std::string>* note
         if (form.offsets.empty()) {
             const SectionShape shape = shapeOf(data, kPanels);
             strip.fit = shape.fit;
-            strip.panels = panelsOf(thickened(shape.nodes));
+            strip.outline = shape.nodes;
         } else {
-            strip.panels = panelsOf(thickened(resampled(form.offsets[i], kPanels)));
+            strip.outline = resampled(form.offsets[i], kPanels);
         }
+        strip.panels = panelsOf(thickened(strip.outline));
         strip.fitted = areaOf(strip.panels);
         strips.push_back(strip);
     }
