@@ -50,5 +50,7 @@ void addValidate(Commands& commands);
 void addSea(Commands& commands);
 void addWindLoad(Commands& commands);
 void addSquat(Commands& commands);
+void addRao(Commands& commands);
+void addHydrostatics(Commands& commands);
 
 }  // namespace sagara::sim

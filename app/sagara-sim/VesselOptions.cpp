@@ -11,6 +11,14 @@ CLI::Option* addVesselOptions(CLI::App& command, tools::VesselChoice& choice) {
     return vessel;
 }
 
+void addHullOptions(CLI::App& command, tools::HullChoice& choice) {
+    CLI::Option* vessel = addVesselOptions(command, choice.ship);
+    CLI::Option* file = command.add_option("--hull", choice.file, "file of stations, in place of a vessel");
+    CLI::Option_group* which = command.add_option_group("hull");
+    which->add_options(vessel, file);
+    which->require_option(1);
+}
+
 void addCsvOption(CLI::App& command, std::string& csv) {
     command.add_option("--csv", csv, "file to write, or - for standard output (-)");
 }

@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
              addSea,
              addWindLoad,
              addSquat,
+             addRao,
+             addHydrostatics,
          }) {
         add(commands);
     }

@@ -1,6 +1,7 @@
 #include "core/seakeeping/CompleteHull.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/Config.h"
 #include "core/base/Units.h"
@@ -9,10 +10,12 @@
 namespace sagara::core {
 namespace {
 
+std::string number(double value) { return config::formatNumber(std::round(1e4 * value) / 1e4); }
+
 void estimate(HullForm& form, double& value, double guess, const char* what, const char* unit) {
     if (value > 0.0) return;
     value = guess;
-    form.notes.push_back(std::string(what) + " estimated: " + config::formatNumber(guess) + " " + unit);
+    form.notes.push_back(std::string(what) + " estimated: " + number(guess) + " " + unit);
 }
 
 void centreOfGravity(HullForm& form, const GivenOfHull& given, const Hydrostatics& floating) {
@@ -21,19 +24,19 @@ void centreOfGravity(HullForm& form, const GivenOfHull& given, const Hydrostatic
     } else {
         form.gravityForward_m = floating.buoyancyForward_m;
         form.notes.push_back("centre of gravity put over the centre of buoyancy, " +
-                             config::formatNumber(form.gravityForward_m) + " m forward of midship");
+                             number(form.gravityForward_m) + " m forward of midship");
     }
     const double metacentre_m = floating.buoyancyHeight_m + floating.transverseBM_m;
     if (given.gravityHeight_m) {
         form.gravityHeight_m = *given.gravityHeight_m;
     } else if (given.metacentricHeight_m) {
         form.gravityHeight_m = metacentre_m - *given.metacentricHeight_m;
-        form.notes.push_back("centre of gravity " + config::formatNumber(form.gravityHeight_m) +
+        form.notes.push_back("centre of gravity " + number(form.gravityHeight_m) +
                              " m above the baseline, from the metacentric height");
     } else {
         form.gravityHeight_m = std::min(form.draught_m, metacentre_m - 0.05 * form.breadth_m);
         form.notes.push_back("centre of gravity estimated in the waterline or 0.05 B below the metacentre: " +
-                             config::formatNumber(form.gravityHeight_m) + " m above the baseline");
+                             number(form.gravityHeight_m) + " m above the baseline");
     }
 }
 

@@ -9,7 +9,9 @@
 namespace sagara::core {
 
 double usualMidshipCoefficient(double blockCoefficient) {
-    return std::clamp(1.006 - 0.0056 * std::pow(blockCoefficient, -3.56), blockCoefficient + 0.01, 0.995);
+    // The formula is one of cargo ships; fine hulls keep a prismatic coefficient of 0.56 or more.
+    const double kerlen = 1.006 - 0.0056 * std::pow(blockCoefficient, -3.56);
+    return std::clamp(std::min(kerlen, blockCoefficient / 0.56), blockCoefficient, 0.995);
 }
 
 std::vector<HullStation> stationsFrom(double lengthBp_m, double breadth_m, double draught_m,
@@ -46,9 +48,10 @@ HullForm hullFormOf(const Hull& hull) {
     form.pitchGyradius_m = hull.pitchGyradius_m;
     form.yawGyradius_m = hull.pitchGyradius_m;
     form.stations = hull.stations;
-    form.bilgeKeelLength_m = 0.25 * hull.lengthBp_m;
-    form.bilgeKeelBreadth_m = 0.015 * hull.beam_m;
-    form.notes.push_back("bilge keels of usual ships put on: 0.25 Lpp by 0.015 B");
+    form.bilgeKeelLength_m = hull.bilgeKeelLength_m.value_or(0.25 * hull.lengthBp_m);
+    form.bilgeKeelBreadth_m = hull.bilgeKeelBreadth_m.value_or(0.015 * hull.beam_m);
+    if (!hull.bilgeKeelLength_m)
+        form.notes.push_back("bilge keels of usual ships put on: 0.25 Lpp by 0.015 B");
     GivenOfHull given;
     given.freeboard_m = hull.depth_m - hull.draught_m;
     given.metacentricHeight_m = hull.metacentricHeight_m;

@@ -32,14 +32,15 @@ Hydrostatics hydrostaticsOf(const HullForm& form);
 /// The same numbers from the stations alone, before mass and centre of gravity are known.
 Hydrostatics hydrostaticsOf(const std::vector<HullStation>& stations, double draught_m);
 
-/// Righting lever at fixed displacement, free to sink and not to trim; vertical sides up to the deck.
+/// Righting lever at fixed displacement, free to sink and not to trim. Up to the deck the sides go on as they
+/// meet the waterline, at most 27 degrees from upright: no station says how they do.
 struct RightingLever {
     double heel_rad = 0.0;
     double gz_m = 0.0;
 };
 std::vector<RightingLever> rightingLevers(const HullForm& form, const std::vector<double>& heels_rad);
 
-/// `name,value` rows, then the GZ curve as `heel_deg,gz_m` every 5 degrees to 60; notes as comments.
+/// `name,value` rows, with the GZ curve every 5 degrees to 60; notes as comments.
 std::string hydrostaticsReport(const HullForm& form);
 
 /// Integral over the length of values joined by straight lines, times (x - origin)^power, exactly.

@@ -14,7 +14,7 @@ struct TableOptions {
 /// Key of the cache: the same for the same hull, loading and options, and only then.
 std::uint64_t tablesHash(const HullForm& form, const TableOptions& options);
 
-/// Some seconds of work: made once per vessel and loading and kept.
+/// A second or two of work: made once per vessel and loading and kept.
 SeakeepingTables makeTables(const HullForm& form, const TableOptions& options = {});
 
 /// What Ikeda's method wants to know of the hull.

@@ -15,6 +15,12 @@ std::string line(const char* name, double value) {
     return text.data();
 }
 
+std::vector<double> heels() {
+    std::vector<double> list;
+    for (int heel_deg = 5; heel_deg <= 60; heel_deg += 5) list.push_back(heel_deg * kDegree_rad);
+    return list;
+}
+
 }  // namespace
 
 std::string hydrostaticsReport(const HullForm& form) {
@@ -30,13 +36,9 @@ std::string hydrostaticsReport(const HullForm& form) {
               line("kg_m", form.gravityHeight_m) + line("gm_transverse_m", h.transverseGM_m) +
               line("gm_longitudinal_m", h.longitudinalGM_m) + line("cb", h.blockCoefficient) +
               line("cm", h.midshipCoefficient) + line("cw", h.waterplaneCoefficient);
-    std::vector<double> heels_rad;
-    for (int heel_deg = 0; heel_deg <= 60; heel_deg += 5) heels_rad.push_back(heel_deg * kDegree_rad);
-    report += "heel_deg,gz_m\n";
-    for (const RightingLever& lever : rightingLevers(form, heels_rad)) {
-        std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), "%.0f,%.5f\n", lever.heel_rad / kDegree_rad, lever.gz_m);
-        report += text.data();
+    for (const RightingLever& lever : rightingLevers(form, heels())) {
+        const int heel_deg = static_cast<int>(std::lround(lever.heel_rad / kDegree_rad));
+        report += line(("gz_m_at_" + std::to_string(heel_deg) + "_deg").c_str(), lever.gz_m);
     }
     return report;
 }

@@ -13,7 +13,7 @@ namespace sagara::core {
 /// amplitude.
 struct WaveResponse {
     double omega_radps = 0.0;
-    double encounter_radps = 0.0;
+    double encounter_radps = 0.0;  ///< below nothing where the ship overtakes the waves
     double lambdaOverL = 0.0;
     Complex6
         atGravity;  ///< per metre of wave amplitude, frame B (heave down, pitch bow up), crest at G at t = 0

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/seakeeping/Hydrostatics.h"
@@ -8,11 +9,21 @@ namespace {
 
 using Polygon = std::vector<SectionPoint>;
 
-/// Whole section up to the deck, anticlockwise seen from ahead of a hull with starboard at y > 0.
+constexpr double kMostFlare = 0.5;  ///< run over rise
+
+/// Whole section up to the deck, the side going on as it meets the water, anticlockwise seen from ahead of a
+/// hull with starboard at y > 0.
 Polygon wholeSection(const std::vector<SectionPoint>& half, double freeboard_m) {
+    const SectionPoint edge = half.back();
+    std::size_t below = half.size() - 1;
+    while (below > 0 && half[below].z_m > 0.1 * half.front().z_m) --below;
+    const double drop_m = edge.z_m - half[below].z_m;
+    const double flare =
+        drop_m > 0.0 ? std::clamp((edge.y_m - half[below].y_m) / drop_m, 0.0, kMostFlare) : 0.0;
+    const double deck_m = edge.y_m + flare * (freeboard_m - edge.z_m);
     Polygon all(half);
-    all.push_back({half.back().y_m, freeboard_m});
-    all.push_back({-half.back().y_m, freeboard_m});
+    all.push_back({deck_m, freeboard_m});
+    all.push_back({-deck_m, freeboard_m});
     for (auto p = half.rbegin(); p != half.rend(); ++p) all.push_back({-p->y_m, p->z_m});
     return all;
 }
@@ -56,9 +67,7 @@ std::vector<RightingLever> rightingLevers(const HullForm& form, const std::vecto
     for (const Strip& strip : stripsOf(form)) {
         if (strip.panels.empty()) continue;
         x_m.push_back(strip.x_m);
-        Polygon half{strip.panels.front().from};
-        for (const SectionPanel& p : strip.panels) half.push_back(p.to);
-        sections.push_back(wholeSection(half, form.freeboard_m));
+        sections.push_back(wholeSection(strip.outline, form.freeboard_m));
     }
     const auto under = [&](double heel_rad, double level_m) {
         std::vector<double> area_m2, moment_m3;
@@ -70,15 +79,23 @@ std::vector<RightingLever> rightingLevers(const HullForm& form, const std::vecto
         return Immersed{alongStations(x_m, area_m2, 0), alongStations(x_m, moment_m3, 0)};
     };
     const double volume_m3 = under(0.0, 0.0).area_m2;
-    std::vector<RightingLever> levers;
-    for (const double heel_rad : heels_rad) {
+    const auto crossCurve_m = [&](double heel_rad) {
         double low_m = -form.draught_m - form.breadth_m, high_m = form.freeboard_m + form.breadth_m;
         for (int i = 0; i < 50; ++i) {
             const double level_m = 0.5 * (low_m + high_m);
             (under(heel_rad, level_m).area_m2 < volume_m3 ? low_m : high_m) = level_m;
         }
-        const double gravity_m = (form.gravityHeight_m - form.draught_m) * std::sin(heel_rad);
-        levers.push_back({heel_rad, under(heel_rad, low_m).moment_m3 / volume_m3 - gravity_m});
+        return under(heel_rad, low_m).moment_m3 / volume_m3;
+    };
+    // The fitted sections begin to heel about a metacentre of their own: by its height they are put right.
+    constexpr double kSmall_rad = 0.01;
+    const Hydrostatics h = hydrostaticsOf(form);
+    const double metacentre_m = h.buoyancyHeight_m + h.transverseBM_m - form.draught_m;
+    const double off_m = metacentre_m - crossCurve_m(kSmall_rad) / std::sin(kSmall_rad);
+    std::vector<RightingLever> levers;
+    for (const double heel_rad : heels_rad) {
+        const double gravity_m = form.gravityHeight_m - form.draught_m;
+        levers.push_back({heel_rad, crossCurve_m(heel_rad) + (off_m - gravity_m) * std::sin(heel_rad)});
     }
     return levers;
 }

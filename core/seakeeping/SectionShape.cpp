@@ -95,7 +95,7 @@ std::optional<Line> bulb(const SectionData& d, int panels) {
 }
 
 /// Breadth, draught and area by a power of the depth.
-Line clamped(const SectionData& d, int panels) {
+Line plain(const SectionData& d, int panels) {
     const double area = std::clamp(d.halfBreadth_m > 0.0 ? d.fullness() : 1.0, 0.05, 0.98);
     const double b_m = d.halfBreadth_m;
     if (area < 0.5)
@@ -137,10 +137,10 @@ const char* nameOf(SectionFit fit) {
             return "an upper hull over a skeg";
         case SectionFit::Bulb:
             return "a wedge over a bulb";
-        case SectionFit::Clamped:
+        case SectionFit::Plain:
             break;
     }
-    return "a plain form, the centroid not met";
+    return "a plain form";
 }
 
 std::vector<SectionPoint> resampled(const std::vector<SectionPoint>& line, int panels) {
@@ -169,6 +169,16 @@ std::vector<SectionPoint> resampled(const std::vector<SectionPoint>& line, int p
     return nodes;
 }
 
+std::vector<SectionPoint> thickened(std::vector<SectionPoint> nodes) {
+    const double keel_m = -nodes.front().z_m;
+    for (SectionPoint& p : nodes) {
+        const double depth = -p.z_m / keel_m;
+        const double least_m = 0.05 * keel_m * std::min({1.0, depth / 0.15, 8.0 * (1.0 - depth)});
+        p.y_m = std::max(p.y_m, least_m);
+    }
+    return nodes;
+}
+
 std::optional<std::vector<SectionPoint>> lewisSection(const SectionData& d, int panels) {
     if (d.halfBreadth_m <= 0.0 || d.draught_m <= 0.0 || d.area_m2 <= 0.0) return std::nullopt;
     const double ratio = (d.halfBreadth_m - d.draught_m) / (d.halfBreadth_m + d.draught_m);
@@ -188,7 +198,7 @@ std::optional<std::vector<SectionPoint>> lewisSection(const SectionData& d, int 
     nodes.back().z_m = 0.0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
         const bool inside = nodes[i].y_m > 0.0 && nodes[i].y_m < 1.01 * d.halfBreadth_m &&
-                            nodes[i].z_m >= -1.01 * d.draught_m &&
+                            nodes[i].z_m <= 1e-9 && nodes[i].z_m >= -1.01 * d.draught_m &&
                             nodes[i].z_m > nodes[i - 1].z_m - 0.005 * d.draught_m;
         if (!inside) return std::nullopt;
     }
@@ -197,7 +207,7 @@ std::optional<std::vector<SectionPoint>> lewisSection(const SectionData& d, int 
 
 SectionShape shapeOf(const SectionData& d, int panels) {
     if (d.halfBreadth_m < 1e-3 * d.draught_m && d.centroidDepth_m > 0.0)
-        return {SectionFit::Clamped, submerged(d, panels)};
+        return {SectionFit::Plain, submerged(d, panels)};
     if (const auto box = roundedBox(d, panels); box && d.fullness() > 0.995)
         return {SectionFit::RoundedBox, *box};
     const std::array<std::pair<SectionFit, std::optional<Line>>, 4> fits{
@@ -208,7 +218,7 @@ SectionShape shapeOf(const SectionData& d, int panels) {
     for (const auto& [fit, line] : fits)
         if (line && hasCentroid(*line, d)) return {fit, *line};
     if (fits[0].second) return {SectionFit::Lewis, *fits[0].second};
-    return {SectionFit::Clamped, clamped(d, panels)};
+    return {SectionFit::Plain, plain(d, panels)};
 }
 
 }  // namespace sagara::core

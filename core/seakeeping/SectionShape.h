@@ -23,13 +23,14 @@ enum class SectionFit {
     RoundedBox,  ///< flat bottom, round bilge, wall side: full sections; the same three are met
     Skeg,        ///< flared upper hull over a thin keel: the same and the centroid are met
     Bulb,        ///< wedge over an elliptic lobe: the same
-    Clamped,     ///< none of these: breadth, draught and area, or without a waterline a plain ellipse
+    Plain,       ///< none of these: a power of the depth, its area held to what one can have; an ellipse
+                 ///< where there is no waterline
 };
 const char* nameOf(SectionFit fit);
 
 /// Half section from the keel to the waterline: `panels` + 1 nodes.
 struct SectionShape {
-    SectionFit fit = SectionFit::Clamped;
+    SectionFit fit = SectionFit::Plain;
     std::vector<SectionPoint> nodes;
 };
 
@@ -43,5 +44,10 @@ inline constexpr double kCentroidBand = 0.05;
 
 /// `panels` + 1 nodes along a line of many points, evenly spaced by length and turning angle together.
 std::vector<SectionPoint> resampled(const std::vector<SectionPoint>& line, int panels);
+
+/// The same with at least 0.05 of its draught between centreline and side, but for the waterline: panels of
+/// `flowAbout` that nearly touch those of the other side have no answer in sway. Thin keels sway as plates
+/// do.
+std::vector<SectionPoint> thickened(std::vector<SectionPoint> nodes);
 
 }  // namespace sagara::core

@@ -13,13 +13,17 @@ std::string number(double value) { return config::formatNumber(std::round(100.0 
 /// One line for each way of fitting, with its stations.
 void tellFits(const std::vector<Strip>& strips, std::vector<std::string>& notes) {
     for (const SectionFit fit :
-         {SectionFit::RoundedBox, SectionFit::Skeg, SectionFit::Bulb, SectionFit::Clamped}) {
+         {SectionFit::RoundedBox, SectionFit::Skeg, SectionFit::Bulb, SectionFit::Plain}) {
         std::string places;
         for (const Strip& strip : strips) {
             if (strip.fit != fit || strip.panels.empty()) continue;
             places += (places.empty() ? "" : ", ") + number(strip.x_m);
-            const double off = 100.0 * (strip.fitted.area_m2 / strip.stated.area_m2 - 1.0);
-            if (std::abs(off) > 2.0) places += " (area " + number(off) + " %)";
+            const SectionArea outline = areaOf(panelsOf(strip.outline));
+            const double off = 100.0 * (outline.area_m2 / strip.stated.area_m2 - 1.0);
+            if (std::abs(off) > 2.0) places += " (area " + number(off) + " % off)";
+            const double lower_m = outline.depth_m - strip.stated.depth_m;
+            if (std::abs(lower_m) > kCentroidBand * -strip.outline.front().z_m)
+                places += " (centroid " + number(lower_m) + " m lower)";
         }
         if (!places.empty())
             notes.push_back(std::string("no Lewis form but ") + nameOf(fit) + " at x = " + places + " m");
@@ -46,10 +50,11 @@ std::vector<Strip> stripsOf(const HullForm& form, std::vector<std::string>* note
         if (form.offsets.empty()) {
             const SectionShape shape = shapeOf(data, kPanels);
             strip.fit = shape.fit;
-            strip.panels = panelsOf(shape.nodes);
+            strip.outline = shape.nodes;
         } else {
-            strip.panels = panelsOf(resampled(form.offsets[i], kPanels));
+            strip.outline = resampled(form.offsets[i], kPanels);
         }
+        strip.panels = panelsOf(thickened(strip.outline));
         strip.fitted = areaOf(strip.panels);
         strips.push_back(strip);
     }

@@ -14,7 +14,8 @@ namespace sagara::core {
 struct Strip {
     double x_m = 0.0;  ///< forward of midship
     SectionFit fit = SectionFit::Lewis;
-    std::vector<SectionPanel> panels;
+    std::vector<SectionPoint> outline;  ///< half section as fitted, from the keel to the waterline
+    std::vector<SectionPanel> panels;   ///< of the flow: the outline, `thickened`
     double breadth_m = 0.0;
     SectionArea stated;  ///< as the station says: hydrostatics and long waves keep to it
     SectionArea fitted;  ///< of the panels

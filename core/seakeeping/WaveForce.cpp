@@ -45,7 +45,6 @@ Cut cutOf(const MetWave& wave) {
 /// that the force is that of the hydrostatics there.
 StripForce froudeKrylov(const Strip& strip, const Cut& wave, double weight) {
     StripForce f;
-    double water_m2 = 0.0;  // of the section, weighed by the wave's pressure, times k
     for (const SectionPanel& p : strip.panels) {
         const double decay = 2.0 * p.length_m * std::exp(wave.k * p.middle.z_m);
         const double phase = wave.k * wave.across * p.middle.y_m;
@@ -56,12 +55,12 @@ StripForce froudeKrylov(const Strip& strip, const Cut& wave, double weight) {
     const double half_m = strip.panels.back().to.z_m > -1e-9 ? strip.panels.back().to.y_m : 0.0;
     const double phase = wave.k * wave.across * half_m;
     const double waterplane_m = 2.0 * half_m * (std::abs(phase) > 1e-6 ? std::sin(phase) / phase : 1.0);
-    water_m2 = waterplane_m - f.heave.real();
+    const double water_m = waterplane_m - f.heave.real();  // k times the area, weighed by the pressure
     const double decay = std::exp(-wave.k * strip.stated.depth_m);
     const double more_m2 = (strip.stated.area_m2 - strip.fitted.area_m2) * decay;
     const double moreMoment_m3 =
         (strip.stated.area_m2 * strip.stated.depth_m - strip.fitted.area_m2 * strip.fitted.depth_m) * decay;
-    f.surge = kI * wave.along * (water_m2 + wave.k * more_m2);
+    f.surge = kI * wave.along * (water_m + wave.k * more_m2);
     f.sway += kI * wave.k * wave.across * more_m2;
     f.roll += kI * wave.k * wave.across * moreMoment_m3;
     f.heave += strip.breadth_m - 2.0 * half_m - wave.k * more_m2;

@@ -59,6 +59,8 @@ Hull readHull(config::Reader& in) {
     h.waterplaneCoefficient = in.number("waterplaneCoefficient", {0.4, 1.0, ""});
     h.rollGyradius_m = in.number("rollGyradius_m", {0.1, 40.0, "m"});
     h.pitchGyradius_m = in.number("pitchGyradius_m", {0.5, 150.0, "m"});
+    if (in.has("bilgeKeelLength_m")) h.bilgeKeelLength_m = in.number("bilgeKeelLength_m", {0.0, 300.0, "m"});
+    if (in.has("bilgeKeelBreadth_m")) h.bilgeKeelBreadth_m = in.number("bilgeKeelBreadth_m", {0.0, 2.0, "m"});
     h.stations = readStations(in, h.lengthOverall_m, h.beam_m);
     h.provenance = readProvenance(in);
     if (in.sound()) checkForm(in, h);

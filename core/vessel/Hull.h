@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/Planar.h"
@@ -20,8 +21,10 @@ struct Hull {
     double metacentricHeight_m = 0.0;  ///< transverse GM
     double waterplaneCoefficient = 0.0;
     double rollGyradius_m = 0.0;
-    double pitchGyradius_m = 0.0;       ///< also used in yaw where a model has no inertia of its own
-    std::vector<HullStation> stations;  ///< none: the form is worked out from the particulars
+    double pitchGyradius_m = 0.0;              ///< also used in yaw where a model has no inertia of its own
+    std::optional<double> bilgeKeelLength_m;   ///< of one side; 0: she has none; not given: not known
+    std::optional<double> bilgeKeelBreadth_m;  ///< out from the hull
+    std::vector<HullStation> stations;         ///< none: the form is worked out from the particulars
     Provenance provenance;
 
     double mass_kg() const { return displacement_m3 * waterDensity_kgpm3; }

@@ -67,5 +67,12 @@ TEST(HullForm, HullOfAVesselKeepsHerMetacentricHeightAndMass) {
     }
 }
 
+TEST(HullForm, BilgeKeelsOfAVesselAreHersOrThoseOfUsualShips) {
+    Hull hull = loadVessel("patrol51", test::readAsset("vessels/patrol51.json")).value().hull;
+    EXPECT_NEAR(hullFormOf(hull).bilgeKeelLength_m, 0.25 * hull.lengthBp_m, 1e-9);
+    hull.bilgeKeelLength_m = 0.0;
+    EXPECT_EQ(hullFormOf(hull).bilgeKeelLength_m, 0.0);
+}
+
 }  // namespace
 }  // namespace sagara::core

@@ -73,6 +73,20 @@ TEST(SectionFlow, NoIrregularFrequencyShows) {
     }
 }
 
+TEST(SectionFlow, AKeelTooThinForPanelsSwaysAsAPlate) {
+    // Zero thickness at the keel. A plate of unit draught: pi / 2 at low frequency (its double in endless
+    // water).
+    std::vector<SectionPoint> cusp;
+    for (int i = 0; i <= 20; ++i) cusp.push_back({0.1 * std::pow(i / 20.0, 2), i / 20.0 - 1.0});
+    const auto panels = panelsOf(thickened(cusp));
+    EXPECT_NEAR(radiationOf(panels, flowAbout(panels, 0.01)).addedMass.sway_m2, 0.5 * kPi, 0.1 * 0.5 * kPi);
+    for (const double nu : {0.3, 1.0, 3.0, 10.0}) {
+        const SectionRadiation r = radiationOf(panels, flowAbout(panels, nu));
+        EXPECT_GT(r.addedMass.sway_m2, 0.2) << nu;
+        EXPECT_GT(r.dampingOverOmega.sway_m2, 0.0) << nu;
+    }
+}
+
 TEST(SectionFlow, TwiceThePanelsChangeLittle) {
     for (const double nu : {0.2, 1.0, 4.0}) {
         const auto coarse = semicircle(20), fine = semicircle(40);

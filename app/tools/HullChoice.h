@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/run/Store.h"
+#include "app/tools/VesselChoice.h"
+#include "core/seakeeping/HullForm.h"
+
+namespace sagara::tools {
+
+/// The hull a tool is asked about: that of a vessel, or of a file with stations, offsets or coefficients.
+struct HullChoice {
+    VesselChoice ship;
+    std::string file;  ///< in place of the vessel
+};
+
+/// The error is for the person who asked.
+core::Result<core::HullForm, std::string> openHull(const run::Store& store, const HullChoice& choice);
+
+}  // namespace sagara::tools
