@@ -12,7 +12,7 @@
 namespace sagara::link {
 
 /// The version spoken here. It grows when an old receiver would misunderstand; a new field alone does not.
-inline constexpr std::uint16_t kProtocolVersion = 1;
+inline constexpr std::uint16_t kProtocolVersion = 2;
 
 /// Values on the wire; never reused.
 enum class Kind : std::uint16_t {
