@@ -24,6 +24,7 @@ void addRao(Commands& commands) {
         ->delimiter(',')
         ->check(between(0.02, 1e4));
     waves->require_option(1);
+    rao->add_flag("--time-domain", o->timeDomain, "measured by running the hull through each wave");
     addCsvOption(*rao, o->csv);
 }
 

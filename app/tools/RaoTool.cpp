@@ -6,7 +6,7 @@
 #include "app/run/RunOptions.h"
 #include "app/tools/Table.h"
 #include "core/base/Units.h"
-#include "core/seakeeping/Response.h"
+#include "core/seakeeping/TimeDomain.h"
 
 namespace sagara::tools {
 
@@ -18,8 +18,11 @@ int runRao(const run::Store& store, const RaoOptions& o) {
     std::vector<double> omegas_radps = o.omegas_radps;
     for (const double lambda : o.lambdasOverLpp)
         omegas_radps.push_back(std::sqrt(core::kTwoPi * core::kGravity_mps2 / (lambda * form->lengthBp_m)));
-    return writeResult(o.csv, core::raoTable(*form, o.speed_mps, o.heading_deg * core::kDegree_rad,
-                                             omegas_radps, o.waveHeight_m));
+    const double heading_rad = o.heading_deg * core::kDegree_rad;
+    return writeResult(
+        o.csv, o.timeDomain
+                   ? core::timeDomainRaoTable(*form, o.speed_mps, heading_rad, omegas_radps, o.waveHeight_m)
+                   : core::raoTable(*form, o.speed_mps, heading_rad, omegas_radps, o.waveHeight_m));
 }
 
 }  // namespace sagara::tools

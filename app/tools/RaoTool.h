@@ -16,6 +16,7 @@ struct RaoOptions {
     double heading_deg = 180.0;        ///< heading minus the direction the waves travel to
     std::vector<double> omegas_radps;  ///< of the waves; or
     std::vector<double> lambdasOverLpp;
+    bool timeDomain = false;  ///< measured by running the hull through the waves
     std::string csv = "-";
 };
 

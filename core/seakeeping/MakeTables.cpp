@@ -6,6 +6,7 @@
 #include "core/base/Archive.h"
 #include "core/base/Units.h"
 #include "core/seakeeping/Hydrostatics.h"
+#include "core/seakeeping/MeanWaveForce.h"
 #include "core/seakeeping/Response.h"
 #include "core/seakeeping/StripTheory.h"
 
@@ -39,39 +40,39 @@ HullFlow flowAt(const std::vector<HullFlow>& flows, double omega_radps) {
     return between(low, high, (omega_radps - low.omega_radps) / (high.omega_radps - low.omega_radps));
 }
 
+std::vector<double> speedsOf(const HullForm& form, const TableOptions& options) {
+    if (!options.speeds_mps.empty()) return options.speeds_mps;
+    const double unit_mps = std::sqrt(kGravity_mps2 * form.lengthBp_m);
+    std::vector<double> speeds;
+    for (double froude = 0.0; froude < options.greatestFroude + 1e-6; froude += 0.1)
+        speeds.push_back(froude * unit_mps);
+    return speeds;
+}
+
 void fillWaves(const StripHull& hull, const std::vector<HullFlow>& flows, bool transomTerms,
                SeakeepingTables& t) {
     for (const double heading : t.headings_rad)
         for (const double omega : t.waveOmega_radps)
             t.froudeKrylov.push_back(froudeKrylovForce(hull, {omega, heading, 0.0}));
     for (const double speed : t.speeds_mps) {
-        for (const double heading : t.headings_rad) {
-            for (const double omega : t.waveOmega_radps) {
-                const MetWave wave{omega, heading, speed};
+        for (std::size_t h = 0; h < t.headings_rad.size(); ++h) {
+            for (std::size_t n = 0; n < t.waveOmega_radps.size(); ++n) {
+                const MetWave wave{t.waveOmega_radps[n], t.headings_rad[h], speed};
                 const HullFlow flow = flowAt(flows, std::abs(wave.encounter_radps()));
                 t.diffraction.push_back(diffractionForce(hull, flow, wave, transomTerms));
+                Complex6 force = t.froudeKrylov[t.waveIndex(0, h, n)];
+                for (std::size_t i = 0; i < 6; ++i) {
+                    const std::complex<double> sum = force[i] + t.diffraction.back()[i];
+                    force.set(i, wave.encounter_radps() < 0.0 ? std::conj(sum) : sum);
+                }
+                const MotionEquation equation{
+                    t.mass, radiationAt(radiationOf(hull, flow), flow.omega_radps, speed, transomTerms),
+                    t.restoring, 0.0};
+                t.meanForce.push_back(
+                    meanWaveForce(hull, flow, wave, solved(equation, flow.omega_radps, force)));
             }
         }
     }
-}
-
-/// Straight line through the equivalent damping over the amplitude, least squares over 2 to 20 degrees.
-ViscousRoll fittedRoll(const IkedaShip& ship, const HullForm& form, double volume_m3, double omega_radps,
-                       double speed_mps) {
-    constexpr int kPoints = 10;
-    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
-    for (int i = 1; i <= kPoints; ++i) {
-        const double amplitude_rad = 2.0 * i * kDegree_rad,
-                     x = 8.0 / (3.0 * kPi) * omega_radps * amplitude_rad;
-        const double y = viscousRollDamping_Nms(ship, form.waterDensity_kgpm3, volume_m3, amplitude_rad,
-                                                omega_radps, speed_mps);
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
-    }
-    const double slope = std::max(0.0, (kPoints * sxy - sx * sy) / (kPoints * sxx - sx * sx));
-    return {std::max(0.0, (sy - slope * sx) / kPoints) + form.addedRollDamping_Nms, slope};
 }
 
 }  // namespace
@@ -93,6 +94,7 @@ std::uint64_t tablesHash(const HullForm& form, const TableOptions& options) {
                             form.addedRollDamping_Nms,
                             form.bilgeKeelLength_m,
                             form.bilgeKeelBreadth_m};
+    all.insert(all.end(), options.speeds_mps.begin(), options.speeds_mps.end());
     for (const HullStation& s : form.stations)
         all.insert(all.end(), {s.x_m, s.breadth_m, s.draught_m, s.area_m2, s.centroid_m});
     for (const std::vector<SectionPoint>& line : form.offsets) {
@@ -107,6 +109,25 @@ IkedaShip ikedaShipOf(const HullForm& form) {
     return {form.lengthBp_m,        form.breadth_m,         form.draught_m,
             h.blockCoefficient,     h.midshipCoefficient,   form.draught_m - form.gravityHeight_m,
             form.bilgeKeelLength_m, form.bilgeKeelBreadth_m};
+}
+
+ViscousRoll viscousRollAt(const HullForm& form, double omega_radps, double speed_mps) {
+    const IkedaShip ship = ikedaShipOf(form);
+    const double volume_m3 = hydrostaticsOf(form).volume_m3;
+    constexpr int kPoints = 10;
+    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    for (int i = 1; i <= kPoints; ++i) {
+        const double amplitude_rad = 2.0 * i * kDegree_rad,
+                     x = 8.0 / (3.0 * kPi) * omega_radps * amplitude_rad;
+        const double y = viscousRollDamping_Nms(ship, form.waterDensity_kgpm3, volume_m3, amplitude_rad,
+                                                omega_radps, speed_mps);
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    const double slope = std::max(0.0, (kPoints * sxy - sx * sy) / (kPoints * sxx - sx * sx));
+    return {std::max(0.0, (sy - slope * sx) / kPoints) + form.addedRollDamping_Nms, slope};
 }
 
 SeakeepingTables makeTables(const HullForm& form, const TableOptions& options) {
@@ -133,12 +154,9 @@ SeakeepingTables makeTables(const HullForm& form, const TableOptions& options) {
     }
     t.addedMassInfinite = addedMassAtInfinity(hull);
     t.rollFrequency_radps = rollMode(form, 0.0).omega_radps;
-    const double unit_mps = std::sqrt(kGravity_mps2 * form.lengthBp_m);
-    for (double froude = 0.0; froude < options.greatestFroude + 1e-6; froude += 0.1) {
-        t.speeds_mps.push_back(froude * unit_mps);
-        t.viscousRoll.push_back(
-            fittedRoll(ikedaShipOf(form), form, h.volume_m3, t.rollFrequency_radps, t.speeds_mps.back()));
-    }
+    t.speeds_mps = speedsOf(form, options);
+    for (const double speed : t.speeds_mps)
+        t.viscousRoll.push_back(viscousRollAt(form, t.rollFrequency_radps, speed));
     for (int i = 0; i < kHeadings; ++i) t.headings_rad.push_back(kPi * i / (kHeadings - 1));
     t.waveOmega_radps = waveGrid(form.lengthBp_m);
     fillWaves(hull, flows, options.transomTerms, t);

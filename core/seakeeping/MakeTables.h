@@ -7,8 +7,9 @@
 namespace sagara::core {
 
 struct TableOptions {
-    double greatestFroude = 0.4;  ///< of the speeds, which go up in steps of 0.1 sqrt(g Lpp)
-    bool transomTerms = true;     ///< the terms of the aftmost section at speed
+    double greatestFroude = 0.4;          ///< of the speeds, which go up in steps of 0.1 sqrt(g Lpp)
+    bool transomTerms = true;             ///< the terms of the aftmost section at speed
+    std::vector<double> speeds_mps = {};  ///< where given, these and no steps
 };
 
 /// Key of the cache: the same for the same hull, loading and options, and only then.
@@ -19,5 +20,9 @@ SeakeepingTables makeTables(const HullForm& form, const TableOptions& options = 
 
 /// What Ikeda's method wants to know of the hull.
 IkedaShip ikedaShipOf(const HullForm& form);
+
+/// Straight line through Ikeda's equivalent damping over the amplitude, least squares over 2 to 20 degrees,
+/// and what the hull's description adds.
+ViscousRoll viscousRollAt(const HullForm& form, double omega_radps, double speed_mps);
 
 }  // namespace sagara::core

@@ -90,11 +90,14 @@ WaveResponse HullResponse::respond(const MetWave& wave, double waveHeight_m) con
         roll_rad = 0.5 * (roll_rad + next_rad);
     }
     r.rollAmplitude_rad = roll_rad;
-    const double phase =
-        wave.waveNumber_radpm() * m_form.gravityForward_m * std::cos(wave.relativeHeading_rad);
-    const Complex crest = std::polar(1.0, overtaken ? phase : -phase);
-    r.atGravity = movedTo(m_form.gravityForward_m, m_form.draught_m - m_form.gravityHeight_m, motion, crest);
+    r.atGravity = atGravity(m_form, wave, motion);
     return r;
+}
+
+Complex6 atGravity(const HullForm& form, const MetWave& wave, const Complex6& atBo) {
+    const double phase = wave.waveNumber_radpm() * form.gravityForward_m * std::cos(wave.relativeHeading_rad);
+    const Complex crest = std::polar(1.0, wave.encounter_radps() < 0.0 ? phase : -phase);
+    return movedTo(form.gravityForward_m, form.draught_m - form.gravityHeight_m, atBo, crest);
 }
 
 RollMode rollMode(const HullForm& form, double amplitude_rad) {

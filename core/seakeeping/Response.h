@@ -29,6 +29,10 @@ struct MotionEquation {
 };
 Complex6 solved(const MotionEquation& equation, double omega_radps, const Complex6& force);
 
+/// Motions of Bo and the crest there -> of the centre of gravity and the crest there. Of a wave overtaken at
+/// the positive frequency.
+Complex6 atGravity(const HullForm& form, const MetWave& wave, const Complex6& atBo);
+
 /// Each strip is solved at the very frequency of encounter; nothing is interpolated.
 class HullResponse {
 public:
@@ -55,6 +59,9 @@ struct RollMode {
     double dampingRatio = 0.0;   ///< of critical, both together
 };
 RollMode rollMode(const HullForm& form, double amplitude_rad);
+
+/// The table below of responses at hand.
+std::string raoTable(const std::vector<WaveResponse>& responses, double lengthBp_m);
 
 /// Rows of `omega_radps,omega_e_radps,lambda_over_L,surge,sway,heave,roll_k,pitch_k,yaw_k` and the six
 /// phases: over the wave's amplitude, angles over its slope; degrees of lead over the crest at the centre of

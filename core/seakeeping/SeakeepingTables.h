@@ -77,8 +77,21 @@ struct ViscousRoll {
     friend bool operator==(const ViscousRoll&, const ViscousRoll&) = default;
 };
 
+/// Mean force of one wave per square metre of its amplitude, see `meanWaveForce`.
+struct MeanWaveForce {
+    double surge_Npm2 = 0.0;
+    double sway_Npm2 = 0.0;
+    double yaw_NmPm2 = 0.0;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.surge_Npm2, self.sway_Npm2, self.yaw_NmPm2);
+    }
+    friend bool operator==(const MeanWaveForce&, const MeanWaveForce&) = default;
+};
+
 struct SeakeepingTables {
-    static constexpr std::uint32_t kVersion = 1;  ///< of this layout and of the method that fills it
+    static constexpr std::uint32_t kVersion = 2;  ///< of this layout and of the method that fills it
 
     std::uint64_t inputHash = 0;  ///< of the hull, the loading, the options and kVersion: key of the cache
     double lengthBp_m = 0.0;
@@ -104,8 +117,9 @@ struct SeakeepingTables {
     /// Per metre of wave whose crest passes Bo at t = 0. Relative heading mu = heading - direction the waves
     /// travel to; between pi and 2 pi (waves from port) take 2 pi - mu and change the sign of sway, roll and
     /// yaw.
-    std::vector<Complex6> froudeKrylov;  ///< [heading][frequency], see `waveIndex`; the same at any speed
-    std::vector<Complex6> diffraction;   ///< [speed][heading][frequency]
+    std::vector<Complex6> froudeKrylov;    ///< [heading][frequency], see `waveIndex`; the same at any speed
+    std::vector<Complex6> diffraction;     ///< [speed][heading][frequency]
+    std::vector<MeanWaveForce> meanForce;  ///< the same
 
     std::vector<std::string> notes;  ///< sections fitted otherwise than by a Lewis form, values estimated
 
@@ -118,7 +132,7 @@ struct SeakeepingTables {
            self.waterDensity_kgpm3, self.mass_kg, self.centreOfGravity_B_m, self.centreOfBuoyancy_B_m,
            self.mass, self.restoring, self.omega_radps, self.radiation, self.addedMassInfinite,
            self.speeds_mps, self.viscousRoll, self.rollFrequency_radps, self.headings_rad,
-           self.waveOmega_radps, self.froudeKrylov, self.diffraction, self.notes);
+           self.waveOmega_radps, self.froudeKrylov, self.diffraction, self.meanForce, self.notes);
     }
     friend bool operator==(const SeakeepingTables&, const SeakeepingTables&) = default;
 };
