@@ -81,6 +81,11 @@ TEST_F(Orders, EveryKindIsRead) {
         std::get<ThrusterOrder>(one(R"("order": "thruster", "thruster": "bow", "thrust_percent": -40)"));
     EXPECT_EQ(thruster.thruster, 0);
     EXPECT_DOUBLE_EQ(thruster.share, -0.4);
+    EXPECT_DOUBLE_EQ(std::get<PitchOrder>(one(R"("order": "pitch", "pitch_percent": -50)")).pitch, -0.5);
+    const auto azimuth =
+        std::get<AzimuthOrder>(one(R"("order": "azimuth", "shaft": "starboard", "angle_deg": 180)"));
+    EXPECT_EQ(azimuth.shaft, 1);
+    EXPECT_DOUBLE_EQ(azimuth.angle_rad, kPi);
     EXPECT_EQ(std::get<FaultOrder>(one(R"("order": "fault", "fault": "thruster", "thruster": "bow")")).fault,
               Fault::Thruster);
     EXPECT_EQ(std::get<FreezeMotionOrder>(one(R"("order": "freeMotions", "free": ["surge", "yaw"])")).free,
@@ -93,7 +98,7 @@ TEST_F(Orders, WrongOnesSayWhereAndWhatIsAccepted) {
     EXPECT_EQ(problems(R"("order": "shaft", "shaft": "middle", "speed_rpm": 1)"),
               "c.json: commands[0].shaft is \"middle\", expected one of port, starboard");
     EXPECT_EQ(problems(R"("order": "thruster", "thruster": "stern", "thrust_percent": 120)"),
-              "c.json: commands[0].thruster is \"stern\", expected bow\n"
+              "c.json: commands[0].thruster is \"stern\", expected one of bow\n"
               "c.json: commands[0].thrust_percent is 120, expected -100 to 100 %");
     EXPECT_EQ(problems(R"("order": "helm", "rudder_deg": 99)"),
               "c.json: commands[0].rudder_deg is 99, expected -70 to 70 deg");
