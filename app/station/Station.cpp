@@ -39,6 +39,13 @@ std::optional<db::RunId> runOf(run::Store& store, const std::filesystem::path& r
     }
 }
 
+/// Nothing where there can be no pictures: the station works without.
+std::unique_ptr<render::Stage> openStage(const render::StageOptions& options) {
+    auto stage = render::Stage::open(options);
+    if (!stage) return nullptr;
+    return std::move(stage).value();
+}
+
 }  // namespace
 
 render::Preset presetOfThisMachine() {
@@ -51,7 +58,7 @@ Station::Station(run::Store& store, render::StageOptions stage)
     : m_store(store),
       m_stageOptions(std::move(stage)),
       m_settings(settingsStore(store)),
-      m_stageComing(std::async(std::launch::async, [o = m_stageOptions] { return render::Stage::open(o); })),
+      m_stageComing(std::async(std::launch::async, openStage, m_stageOptions)),
       m_stack(new QStackedWidget(this)) {
     setObjectName(QStringLiteral("station"));
     m_bar = makeBar();
@@ -127,9 +134,7 @@ QWidget* Station::makeBar() {
 }
 
 render::Stage* Station::stageFor(const std::shared_ptr<const core::World>& world) {
-    if (m_stageComing.valid()) {
-        if (auto stage = m_stageComing.get()) m_stage = std::move(stage).value();
-    }
+    if (m_stageComing.valid()) m_stage = m_stageComing.get();
     if (!m_stage) return nullptr;
     if (m_staged.lock() == world) return m_stage.get();
     m_stage->showSoon(world);

@@ -62,8 +62,6 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    using StageFuture = std::future<core::Result<std::unique_ptr<render::Stage>, std::string>>;
-
     QWidget* makeBar();
     void showTop();
     void dropTop();
@@ -75,7 +73,7 @@ private:
     ui::BridgeInput m_input;
     ui::SoundBoard m_sound;
     ui::PaletteName m_colours = ui::PaletteName::Day;
-    StageFuture m_stageComing;  ///< opened aside from the start on
+    std::future<std::unique_ptr<render::Stage>> m_stageComing;  ///< opened aside from the start on
     std::unique_ptr<render::Stage> m_stage;
     std::weak_ptr<const core::World> m_staged;
     QWidget* m_bar;
