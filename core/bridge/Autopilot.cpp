@@ -9,10 +9,11 @@
 namespace sagara::core {
 namespace {
 
-constexpr double kSlowest_mps = 1.0;  // below, the rudder hardly works and gains stop growing
-constexpr double kHeadingGain = 1.2;  // rudder per heading error
-constexpr double kRateGain = 0.7;     // rudder per r L/U
-constexpr double kTurnGain = 1.0;     // rudder per wanted r L/U: K' of a well-behaved ship is about 1
+constexpr double kSlowest_mps = 1.0;    // below, the rudder hardly works and gains stop growing
+constexpr double kHeadingGain = 1.2;    // rudder per heading error
+constexpr double kLeastRateGain = 0.7;  // rudder per r L/U
+constexpr double kDamping = 0.9;        // of the heading, 1 is critical
+constexpr double kTurnGain = 1.0;       // rudder per wanted r L/U: K' of a well-behaved ship is about 1
 // Time constant of the rate of turn in L/U: waves are not steered against.
 constexpr double kSmoothing = 0.25;
 constexpr double kLeastLookAhead_lengths = 1.5;
@@ -28,16 +29,23 @@ double lookAhead_lengths(const TurningIndices& turning) {
                     kLookAhead * std::sqrt(turning.lag / (kHeadingGain * turning.gain)));
 }
 
+/// Nomoto's ship under rudder kp times the error less kd r: T' s^2 + (1 + K' kd) s + K' kp = 0.
+double rateGain(const TurningIndices& turning) {
+    const double critical = 2.0 * std::sqrt(turning.gain * turning.lag * kHeadingGain);
+    return std::max(kLeastRateGain, (kDamping * critical - 1.0) / turning.gain);
+}
+
 double speed(const ShipMotion& m) { return std::max(kSlowest_mps, std::abs(m.surge_mps)); }
 
 }  // namespace
 
-double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double heading_rad, double turn_radps) {
-    const double pace_s = vessel.hull.lengthBp_m / speed(m);
+double steerHeading_rad(const OwnShip& ship, const ShipMotion& m, double heading_rad, double turn_radps) {
+    const double pace_s = ship.vessel.hull.lengthBp_m / speed(m);
     const double error_rad = wrapPi(heading_rad - m.heading_rad);
-    const double rudder_rad = kHeadingGain * error_rad + kRateGain * pace_s * (turn_radps - m.yawRate_radps) +
+    const double rudder_rad = kHeadingGain * error_rad +
+                              rateGain(ship.turning) * pace_s * (turn_radps - m.yawRate_radps) +
                               kTurnGain * pace_s * turn_radps;
-    return std::clamp(rudder_rad, -vessel.steering.limit_rad, vessel.steering.limit_rad);
+    return std::clamp(rudder_rad, -ship.vessel.steering.limit_rad, ship.vessel.steering.limit_rad);
 }
 
 double steerTrack_rad(const OwnShip& ship, const RoutePath& path, const ShipMotion& m, AutopilotState& state,
@@ -58,7 +66,7 @@ double steerTrack_rad(const OwnShip& ship, const RoutePath& path, const ShipMoti
     const double towards_rad =
         std::atan2(here.offTrack_m + state.offTrackSum_ms / integralTime_s, lookAhead_m);
     state.setHeading_rad = ahead.course_rad - towards_rad;
-    return steerHeading_rad(ship.vessel, m, state.setHeading_rad, speed(m) * ahead.curvature_perM);
+    return steerHeading_rad(ship, m, state.setHeading_rad, speed(m) * ahead.curvature_perM);
 }
 
 double steerAutopilot_rad(const OwnShip& ship, const RoutePath& path, const ShipMotion& m,
@@ -68,7 +76,7 @@ double steerAutopilot_rad(const OwnShip& ship, const RoutePath& path, const Ship
     ShipMotion smooth = m;
     smooth.yawRate_radps = state.yawRate_radps;
     if (state.mode == AutopilotMode::Heading)
-        return steerHeading_rad(ship.vessel, smooth, state.setHeading_rad, 0.0);
+        return steerHeading_rad(ship, smooth, state.setHeading_rad, 0.0);
     if (state.mode == AutopilotMode::Track && path.length_m() > 0.0)
         return steerTrack_rad(ship, path, smooth, state, dt_s);
     return handOrder_rad;

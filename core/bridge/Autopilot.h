@@ -27,9 +27,10 @@ struct AutopilotState {
     }
 };
 
-/// Rudder for a heading: proportional with rate feedback, gains scaled by L/U so that one tuning serves every
-/// ship. `turn_radps`: wanted rate of turn, 0 on a straight course.
-double steerHeading_rad(const Vessel& vessel, const ShipMotion& m, double heading_rad, double turn_radps);
+/// Rudder for a heading: proportional with rate feedback, gains scaled by L/U. A ship that answers her rudder
+/// late is checked the earlier, by her turning indices. `turn_radps`: wanted rate of turn, 0 on a straight
+/// course.
+double steerHeading_rad(const OwnShip& ship, const ShipMotion& m, double heading_rad, double turn_radps);
 
 /// Rudder that keeps the ship on the path: course of the track a little ahead, turned towards the track by
 /// line of sight, with the turn of the arc fed forward. A ship slow to answer looks farther ahead. Moves

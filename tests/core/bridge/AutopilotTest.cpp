@@ -21,16 +21,16 @@ double degrees(double angle_rad) { return angle_rad / kDegree_rad; }
 
 class HeadingRudder : public ::testing::Test {
 protected:
-    const Vessel& vessel = test::shippedShip("patrol51").vessel;
+    const OwnShip& ship = test::shippedShip("patrol51");
     ShipMotion m{.surge_mps = 5.0};
     double rudder_deg(double heading_deg) {
-        return degrees(steerHeading_rad(vessel, m, heading_deg * kDegree_rad, 0.0));
+        return degrees(steerHeading_rad(ship, m, heading_deg * kDegree_rad, 0.0));
     }
 };
 
 TEST_F(HeadingRudder, IsAmidshipsOnTheHeading) {
     m.heading_rad = 2.0;
-    EXPECT_EQ(steerHeading_rad(vessel, m, 2.0, 0.0), 0.0);
+    EXPECT_EQ(steerHeading_rad(ship, m, 2.0, 0.0), 0.0);
 }
 
 TEST_F(HeadingRudder, IsTowardsTheHeadingTheShortWayRound) {
@@ -51,9 +51,9 @@ TEST_F(HeadingRudder, ChecksTheSwingWhenSheIsThere) {
 
 TEST_F(HeadingRudder, IsNeverBeyondTheLimit) {
     m.yawRate_radps = -1.0;
-    EXPECT_DOUBLE_EQ(rudder_deg(170.0), degrees(vessel.steering.limit_rad));
+    EXPECT_DOUBLE_EQ(rudder_deg(170.0), degrees(ship.vessel.steering.limit_rad));
     m.yawRate_radps = 1.0;
-    EXPECT_DOUBLE_EQ(rudder_deg(-170.0), -degrees(vessel.steering.limit_rad));
+    EXPECT_DOUBLE_EQ(rudder_deg(-170.0), -degrees(ship.vessel.steering.limit_rad));
 }
 
 TEST_F(HeadingRudder, StaysFiniteForAShipWithoutWay) {
