@@ -12,7 +12,7 @@ namespace {
 constexpr double kSlowest_mps = 1.0;    // below, the rudder hardly works and gains stop growing
 constexpr double kHeadingGain = 1.2;    // rudder per heading error
 constexpr double kLeastRateGain = 0.7;  // rudder per r L/U
-constexpr double kDamping = 0.9;        // of the heading, 1 is critical
+constexpr double kDamping = 0.85;       // of the heading, 1 is critical
 constexpr double kTurnGain = 1.0;       // rudder per wanted r L/U: K' of a well-behaved ship is about 1
 // Time constant of the rate of turn in L/U: waves are not steered against.
 constexpr double kSmoothing = 0.25;
