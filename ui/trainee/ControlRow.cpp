@@ -118,8 +118,9 @@ void ControlRow::setColours(PaletteName name) {
 
 void ControlRow::setUnit(double unit) {
     for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->setFixedWidth(static_cast<int>(124.0 * unit));
-    m_wheel->setFixedWidth(static_cast<int>(270.0 * unit));
-    if (m_thrusterColumn != nullptr) m_thrusterColumn->setFixedWidth(static_cast<int>(150.0 * unit));
+    const bool thrusters = m_thrusterColumn != nullptr;  // the deck needs its room
+    m_wheel->setFixedWidth(static_cast<int>((thrusters ? 244.0 : 270.0) * unit));
+    if (thrusters) m_thrusterColumn->setFixedWidth(static_cast<int>(128.0 * unit));
     m_autopilot->setFixedWidth(static_cast<int>(140.0 * unit));
 }
 

@@ -142,7 +142,7 @@ TEST_F(TraineesConsole, TheThrusterHasALeverOnlyWhereThereIsOne) {
     takeWatch();
     auto* const lever = find<console::ThrusterLever>("thruster-0");
     EXPECT_EQ(m_console->findChild<QWidget*>(QStringLiteral("thruster-1")), nullptr);
-    QTest::mouseClick(lever, Qt::LeftButton, {}, QPoint(lever->width() - 16, lever->height() / 2));
+    QTest::mouseClick(lever, Qt::LeftButton, {}, QPoint(lever->width() - 6, lever->height() / 2));
     sail(0.1);
     EXPECT_EQ(own().thrusters[0].order, 1.0) << "far to starboard";
     sail(5.0);
