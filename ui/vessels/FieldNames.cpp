@@ -18,7 +18,7 @@ constexpr std::array<std::pair<const char*, const char*>, 27> kUnits{
      {"N", "N"},        {"M", "M"},         {"s", "s"},       {"m", "m"},        {"Hz", "Hz"},
      {"K", "K"},        {"W", "W"}}};
 
-const std::array<std::pair<const char*, const char*>, 24> kLabels{
+const std::array<std::pair<const char*, const char*>, 25> kLabels{
     {{"x", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Forward of midship")},
      {"y", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "To starboard")},
      {"id", QT_TRANSLATE_NOOP("sagara::ui::FieldNames", "Id")},
