@@ -16,8 +16,8 @@ struct ThrusterFade {
 /// `speedRatio`: ship's speed over that of the jet. The jet is bent along the hull and draws water off the
 /// side it came from, so that the force falls to about 0.43 and the moment to about 0.67 at ratios of 0.3 to
 /// 0.6 and both recover beyond: Chislett and Bjoerheden (1966), HyA report Hy-8; Beveridge (1972), Marine
-/// Technology 8(4), 439-453, fig. 2; Brix (1993), Manoeuvring Technical Manual. Recalled from these curves, which
-/// differ among ships by some 0.1, not read off them; held beyond 1.
+/// Technology 8(4), 439-453, fig. 2; Brix (1993), Manoeuvring Technical Manual. Recalled from these curves,
+/// which differ among ships by some 0.1, not read off them; held beyond 1.
 ThrusterFade thrusterFade(double speedRatio);
 
 /// Velocity of the jet of a tunnel thruster at this thrust: sqrt(T / (rho A)).
