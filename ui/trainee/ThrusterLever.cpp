@@ -16,12 +16,11 @@ constexpr double kStep = 0.1;
 ThrusterLever::ThrusterLever(const QString& name, const QString& keys, QWidget* parent)
     : Gauge(name, 1.5, parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setToolTip(
-        tr("%1, 0 to 100 % each way: click or drag, to the right pushes her end to starboard; mouse "
-           "wheel a tenth, double click stop. The bar is what it pushes; at some 3 knots "
-           "half of that is lost")
-            .arg(name) +
-        (keys.isEmpty() ? QString() : tr("; keys %1").arg(keys)));
+    setToolTip(tr("%1, 0 to 100 % each way: click or drag, to the right pushes her end to starboard; mouse "
+                  "wheel a tenth, double click stop. The bar is what it pushes; at some 3 knots "
+                  "half of that is lost")
+                   .arg(name) +
+               (keys.isEmpty() ? QString() : tr("; keys %1").arg(keys)));
 }
 
 void ThrusterLever::setOrder(double order) {
