@@ -1,6 +1,7 @@
 #pragma once
 
 #include <X11/Xlib.h>
+#undef None  // a macro of Xlib, and a name in our own headers
 
 #include <string>
 #include <vector>
