@@ -6,6 +6,7 @@
 #include "core/base/Config.h"
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
+#include "core/sea/BuoySpectrum.h"
 #include "render/wall/Layout.h"
 
 namespace sagara::run {
@@ -65,7 +66,7 @@ Problems checkAgainstScenario(const Store& store, const std::string& name, const
 }
 
 Problems check(const Store& store, const std::string& name, const std::string& text) {
-    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall, Picture };
+    enum class Kind { Vessel, Area, Scenario, Commands, Rubric, Wall, Picture, Waves };
     core::config::Document document(name, text);
     core::config::Reader in(document.root());
     const auto kind = in.choiceIfKnown<Kind>("document", {{"vessel", Kind::Vessel},
@@ -74,7 +75,8 @@ Problems check(const Store& store, const std::string& name, const std::string& t
                                                           {"commands", Kind::Commands},
                                                           {"rubric", Kind::Rubric},
                                                           {"wall", Kind::Wall},
-                                                          {"picture", Kind::Picture}});
+                                                          {"picture", Kind::Picture},
+                                                          {"waves", Kind::Waves}});
     if (!kind) return document.problems();
     switch (*kind) {
         case Kind::Vessel:
@@ -95,6 +97,8 @@ Problems check(const Store& store, const std::string& name, const std::string& t
             return problemsOf(wall::loadLayout(name, text));
         case Kind::Picture:
             return checkPicture(name, text);
+        case Kind::Waves:
+            return problemsOf(core::loadBuoyRecords(name, text));
     }
     return Problems(name);
 }

@@ -87,13 +87,13 @@ TEST_F(Handshake, AStationOfAnotherVersionIsNamedToThePerson) {
     EXPECT_EQ(outcome({Role::View, "left", ""},
                       [](Connection& c) {
                           Greeting hi = greeting();
-                          hi.speaks = {2, 3};
+                          hi.speaks = {8, 9};
                           core::Bytes packet = encode(hi);
-                          packet[4] = std::byte{3};
+                          packet[4] = std::byte{9};
                           c.sendPacket(packet);
                           c.wait(kPatience_ms);
                       }),
-              "the station speaks protocol version 2, 3, this program 1");
+              "the station speaks protocol version 8, 9, this program " + std::to_string(kProtocolVersion));
 }
 
 TEST_F(Handshake, AnOlderChannelHearsWhatIsSpoken) {
@@ -114,7 +114,7 @@ TEST_F(Handshake, AnOlderChannelHearsWhatIsSpoken) {
     EXPECT_FALSE(connection->wait(kPatience_ms));
     EXPECT_FALSE(connection->isOpen());
     channel.wait();
-    EXPECT_EQ(told, "protocol version 0 is not spoken here, but 1");
+    EXPECT_EQ(told, "protocol version 0 is not spoken here, but " + std::to_string(kProtocolVersion));
     EXPECT_EQ(speaks, std::vector<std::uint32_t>{kProtocolVersion});
 }
 

@@ -55,7 +55,7 @@ TEST(PacketReader, OtherBytesAreRefusedAtOnce) {
 
 TEST(PacketReader, AnotherVersionIsRefusedWithTheOneThatIsSpoken) {
     const DecodeError error = refusalOf(headerOf(9, 2, 10));
-    EXPECT_EQ(error.reason, "protocol version 9 is not spoken here, but 1");
+    EXPECT_EQ(error.reason, "protocol version 9 is not spoken here, but " + std::to_string(kProtocolVersion));
     EXPECT_TRUE(error.otherVersion);
 }
 
@@ -72,11 +72,12 @@ TEST(PacketReader, ARefusalOfAnotherVersionIsStillUnderstood) {
 }
 
 TEST(PacketReader, LengthKindAndOrderAreCheckedOnTheHeaderAlone) {
-    EXPECT_EQ(refusalOf(headerOf(1, 99, 0)).reason, "message kind 99 is unknown");
-    EXPECT_EQ(refusalOf(headerOf(1, 0, 0)).reason, "message kind 0 is unknown");
-    EXPECT_EQ(refusalOf(headerOf(1, 7, 0xffffffff)).reason,
+    EXPECT_EQ(refusalOf(headerOf(kProtocolVersion, 99, 0)).reason, "message kind 99 is unknown");
+    EXPECT_EQ(refusalOf(headerOf(kProtocolVersion, 0, 0)).reason, "message kind 0 is unknown");
+    EXPECT_EQ(refusalOf(headerOf(kProtocolVersion, 7, 0xffffffff)).reason,
               "Frame of 4294967295 bytes, at most 262144 are accepted");
-    EXPECT_EQ(refusalOf(headerOf(1, 5, 100), {Kind::Hello}).reason, "Setup is not expected now");
+    EXPECT_EQ(refusalOf(headerOf(kProtocolVersion, 5, 100), {Kind::Hello}).reason,
+              "Setup is not expected now");
 }
 
 }  // namespace

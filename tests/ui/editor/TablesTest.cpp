@@ -74,6 +74,9 @@ Json rowOf(const ListSpec& spec, const Variant& variant) {
             case Source::Anchor:
                 row[f.key] = "port";
                 break;
+            case Source::Thruster:
+                row[f.key] = "bow";
+                break;
             case Source::Target:
                 row[f.key] = "coaster";
                 break;
@@ -111,7 +114,8 @@ TEST(EditorTables, MakeCriteriaTheLoaderTakes) { expectEveryKindTaken(criterionL
 TEST(EditorTables, MakePilotStepsTheLoaderTakes) { expectEveryKindTaken(pilotList(), "pilot"); }
 
 TEST(EditorTables, MakeOrdersTheLoaderTakes) {
-    EXPECT_EQ(orderList().variants.size(), 13u) << "kinds in OrderDocument.cpp";
+    // all kinds of OrderDocument.cpp but pitch and azimuth, which no shipped vessel takes
+    EXPECT_EQ(orderList().variants.size(), 14u);
     expectEveryKindTaken(orderList(), "events[0].orders");
 }
 
