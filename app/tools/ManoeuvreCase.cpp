@@ -145,6 +145,12 @@ void addMeasureRows(ValidationOutcome& outcome, const ManoeuvreCase& c, const co
     }
 }
 
+TrialPicture pictureOf(ManoeuvreOptions::Test test) {
+    if (test == ManoeuvreOptions::Test::Zigzag) return TrialPicture::HeadingOverTime;
+    if (test == ManoeuvreOptions::Test::Stopping) return TrialPicture::SpeedOverReach;
+    return TrialPicture::Track;
+}
+
 }  // namespace
 
 ValidationOutcome runManoeuvreCase(const ValidationContext& context, Reader& in) {
@@ -166,8 +172,8 @@ ValidationOutcome runManoeuvreCase(const ValidationContext& context, Reader& in)
     const core::Trial trial = tryManoeuvre(*vessel, c.run);
     if (c.trace) addTraceRows(outcome, *c.trace, trial, *published);
     addMeasureRows(outcome, c, *vessel, trial);
-    outcome.plots.push_back(trialPlot(vessel->name, trial, c.run.test == ManoeuvreOptions::Test::Zigzag,
-                                      published ? &*published : nullptr));
+    outcome.plots.push_back(
+        trialPlot(vessel->name, trial, pictureOf(c.run.test), published ? &*published : nullptr));
     return outcome;
 }
 

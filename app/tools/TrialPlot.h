@@ -6,9 +6,14 @@
 
 namespace sagara::tools {
 
-/// The track of a trial, or heading and rudder over time, with a published trace (columns t, x, y, psi) where
-/// there is one.
-report::XyPlot trialPlot(const std::string& ship, const core::Trial& trial, bool overTime,
+enum class TrialPicture {
+    Track,
+    HeadingOverTime,  ///< and the rudder
+    SpeedOverReach    ///< of a ship that stops on a straight course
+};
+
+/// With a published trace (columns t, x, y, psi) where there is one; none is drawn for a speed.
+report::XyPlot trialPlot(const std::string& ship, const core::Trial& trial, TrialPicture picture,
                          const ReferenceTable* published);
 
 }  // namespace sagara::tools

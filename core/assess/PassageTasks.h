@@ -4,8 +4,8 @@
 
 namespace sagara::core {
 
-/// "gate": midship crosses the line between two places ("between": two ids or positions), from the side of the
-/// first waypoint of the route.
+/// "gate": midship crosses the line between two places ("between": two ids or positions), from the side of
+/// the first waypoint of the route.
 std::unique_ptr<const Task> makeGateTask(std::string id, std::string title, config::Reader& in,
                                          const MissionContext& context);
 
