@@ -4,10 +4,24 @@
 #include "core/identify/TrialShip.h"
 
 namespace sagara::core {
+namespace {
+
+/// "fullAstern" as "full astern".
+std::string spoken(TelegraphStep step) {
+    std::string text;
+    for (const char* c = telegraphStepName(step); *c != '\0'; ++c) {
+        const bool capital = *c >= 'A' && *c <= 'Z';
+        if (capital) text += ' ';
+        text += static_cast<char>(capital ? *c - 'A' + 'a' : *c);
+    }
+    return text;
+}
+
+}  // namespace
 
 Trial runCrashStop(TrialShip& ship, const CrashStop& stop, const TrialOptions& options) {
     Trial trial;
-    trial.title = "Stopping, " + std::string(telegraphStepName(stop.order));
+    trial.title = "Stopping, " + spoken(stop.order);
     const double length_m = trial.length_m = ship.vessel().hull.lengthBp_m;
     const Approach approach = options.approach ? *options.approach : ship.fullAhead();
     constexpr double kLongest_lengths = 120.0;
