@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QtConcurrent/QtConcurrentRun>
 
@@ -20,6 +21,7 @@ namespace sagara::station {
 namespace {
 
 constexpr const char* kLayout = "ui.desk-layout";
+constexpr int kBreath_ms = 10;
 
 }  // namespace
 
@@ -63,8 +65,6 @@ DeskPage::~DeskPage() {
 void DeskPage::makeDesk() {
     delete std::exchange(m_desk, nullptr);
     m_desk = new ui::TrainerDesk(*m_run, m_station.stageFor(m_run->world()), this, m_chart);
-    m_desk->addPanel(QStringLiteral("wall"), tr("Wall"), QStringLiteral("view-gallery-google"),
-                     new ui::WallPanel(*m_wall, m_desk));
     if (const auto kept = m_station.settings().get(kLayout))
         m_desk->setLayoutKept(QByteArray::fromBase64(QByteArray::fromStdString(*kept)));
     m_desk->setMayGoBack(m_run->mayGoBack());
@@ -74,7 +74,14 @@ void DeskPage::makeDesk() {
         if (s.tick % core::kTicksPerSecond == 0 && !s.ships.empty())
             sailed.push_back({core::timeOfTick(s.tick).seconds(), s.ships[0].motion.position()});
     m_desk->showSailed(std::move(sailed));
-    layout()->addWidget(m_desk);
+    m_desk->hide();
+    // Building it and showing it take a moment each: the windows live on in between.
+    QTimer::singleShot(kBreath_ms, m_desk, [this] {
+        m_desk->addPanel(QStringLiteral("wall"), tr("Wall"), QStringLiteral("view-gallery-google"),
+                         new ui::WallPanel(*m_wall, m_desk));
+        layout()->addWidget(m_desk);
+        m_desk->show();
+    });
     connect(m_desk, &ui::TrainerDesk::endWanted, this, [this] {
         if (QMessageBox::question(this, tr("Sagara"), tr("End the exercise? It is graded as it stands.")) ==
             QMessageBox::Yes)
