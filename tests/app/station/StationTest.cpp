@@ -65,7 +65,8 @@ protected:
         openLessons();
         find<QListWidget>("scenarios")->setCurrentRow(row);
         QTest::mouseClick(find<QPushButton>("open"), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return page() != nullptr; }, 30'000));  // it is built aside
+        // it is built aside, and shown in a breath of its own
+        ASSERT_TRUE(QTest::qWaitFor([&] { return page() != nullptr && desk()->isVisible(); }, 30'000));
     }
     /// A run of the pilot at twenty times the pace, so far.
     void sail(double until_s) {
