@@ -91,6 +91,7 @@ TEST(Response, WigleyAtRestIsThatOfAnotherStripTheory) {
 TEST(Response, BoxIsThatOfPanelsInThreeDimensions) {
     const HullResponse ship(referenceHull("box_barge100"));
     for (const test::Row& row : test::readReference("seakeeping/box_barge100_rao.csv")) {
+        // The file asks for it up to 2.5: at 2.4 heave is 10 % low at 150 deg, not reached.
         if (row["w"] * std::sqrt(100.0 / kGravity_mps2) > 2.3) continue;
         const Rao rao = raoOf(ship, row["w"], row["heading_deg"], 0.0, 0.01);
         const std::string where = row.text("heading_deg") + " deg, " + row.text("w");
