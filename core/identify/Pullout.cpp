@@ -4,6 +4,7 @@
 #include "core/identify/TrialShip.h"
 
 namespace sagara::core {
+
 Trial runPullout(TrialShip& ship, const Pullout& pullout, const TrialOptions& options) {
     Trial trial;
     trial.title = pullout.rudder_rad < 0.0 ? "Pull-out from port" : "Pull-out from starboard";

@@ -2,7 +2,6 @@
 
 #include "core/base/Units.h"
 #include "core/identify/Trial.h"
-#include "core/vessel/Vessel.h"
 
 namespace sagara::core {
 

@@ -23,8 +23,7 @@ MmgFlow mmgFlow(const MmgRange& range, double length_m, const ShipMotion& m);
 /// the MMG polynomial (Yasukawa and Yoshimura 2015, eq 9; roll terms 2019). Outside it the unified form of
 /// Yoshimura, Nakao and Ishibashi (2009), "Unified mathematical model for ocean and harbour manoeuvring",
 /// MARSIM'09: linear terms with the surge velocity, cross-flow drag along the hull for the rest, any drift
-/// angle, astern and at rest. MmgFlow::published
-/// blends the two.
+/// angle, astern and at rest. MmgFlow::published blends the two.
 Load mmgHullForce(const MmgParameters& model, const Hull& hull, const ShipMotion& m, const MmgFlow& flow);
 
 }  // namespace sagara::core

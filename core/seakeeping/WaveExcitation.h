@@ -16,8 +16,8 @@ struct WaveForces {
 /// First-order wave forces on one ship at run time: Froude-Krylov and diffraction of the tables, resampled
 /// once (cubic) on a grid so fine that straight lines between its points do, evenly spaced in the cosine of
 /// the heading; what is odd in heading is divided by its sine, so that waves from port need no other case.
-/// About 8 MB. The mean forces of `meanWaveForce` go
-/// with them. A pure function: nothing is remembered from call to call.
+/// About 8 MB. The mean forces of `meanWaveForce` go with them. A pure function: nothing is remembered from
+/// call to call.
 class WaveExcitation {
 public:
     explicit WaveExcitation(const SeakeepingTables& tables);

@@ -122,6 +122,13 @@ Complex6 toFrameB(const std::array<Complex, 6>& f) {
     return force;
 }
 
+/// The potentials of a negative frequency are the conjugates of those of the positive one.
+SectionFlow conjugate(SectionFlow flow) {
+    for (auto* list : {&flow.sway_m, &flow.heave_m, &flow.roll_m2})
+        for (Complex& value : *list) value = std::conj(value);
+    return flow;
+}
+
 std::vector<double> depths(const StripHull& hull) {
     std::vector<double> list;
     for (const Strip& s : hull.strips) list.push_back(s.stated.depth_m);
@@ -146,13 +153,9 @@ Complex6 diffractionForce(const StripHull& hull, const HullFlow& flow, const Met
     const double factor = hull.waterDensity_kgpm3 * wave.omega_radps * encounter_radps;
     std::vector<StripForce> strips;
     for (std::size_t i = 0; i < hull.strips.size(); ++i) {
-        StripForce f = diffraction(hull.strips[i], flow.strips[i], cut);
-        if (encounter_radps < 0.0) {  // the potentials of a negative frequency are the conjugates
-            SectionFlow mirrored = flow.strips[i];
-            for (auto* list : {&mirrored.sway_m, &mirrored.heave_m, &mirrored.roll_m2})
-                for (Complex& value : *list) value = std::conj(value);
-            f = diffraction(hull.strips[i], mirrored, cut);
-        }
+        const SectionFlow& section = flow.strips[i];
+        const StripForce f = encounter_radps < 0.0 ? diffraction(hull.strips[i], conjugate(section), cut)
+                                                   : diffraction(hull.strips[i], section, cut);
         strips.push_back(factor * f);
     }
     const Complex shift =
