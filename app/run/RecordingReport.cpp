@@ -34,7 +34,7 @@ std::string writeRecordingReport(const std::filesystem::path& path,
     const auto recording = core::readRecording(*bytes);
     if (!recording) return path.string() + ": " + recording.error();
     if (!goOn(20)) return {};
-    const auto world = core::worldOf(*recording);
+    const auto world = core::worldOf(*recording, store.hulls());
     if (!world) return world.error().text();
     if (!goOn(50)) return {};
     const RunSummary summary = summaryOf(**world, *recording);

@@ -115,7 +115,7 @@ std::string RunFiling::fileFromRecording(const fs::path& path) {
     if (!bytes) return bytes.error().message;
     const auto recording = core::readRecording(*bytes);
     if (!recording) return path.string() + ": " + recording.error();
-    const auto world = core::worldOf(*recording);
+    const auto world = core::worldOf(*recording, m_store.hulls());
     if (!world) return world.error().text();
     const RunSummary summary = gradeRecording(**world, *recording, recording->endTick);
     const db::NewRun run = newRun(recording->header, **world, path);

@@ -43,6 +43,12 @@ core::Utc now() {
             .count()};
 }
 
+Store::Store(db::DataFolder folder)
+    : m_folder(std::move(folder)),
+      m_tables(m_folder.database()),
+      m_hulls(std::make_shared<core::SeaHulls>(&m_tables)),
+      m_assets(files::assetFolder()) {}
+
 core::Result<std::unique_ptr<Store>, std::string> Store::open(
     const std::optional<std::filesystem::path>& dataFolder) {
     auto folder = db::DataFolder::open(dataFolder);

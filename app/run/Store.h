@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/files/AssetSource.h"
+#include "app/run/DatabaseTables.h"
 #include "core/base/Utc.h"
 #include "core/exercise/Documents.h"
 #include "db/DataFolder.h"
@@ -31,6 +32,8 @@ public:
     /// not the one that was stored.
     std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override;
 
+    std::shared_ptr<core::SeaHulls> hulls() const override { return m_hulls; }
+
     const files::AssetSource& assets() const { return m_assets; }  ///< what is shipped
     const db::DataFolder& folder() const { return m_folder; }
     db::Database* database() const { return m_database.get(); }  ///< null when it cannot be used
@@ -47,11 +50,13 @@ public:
     std::filesystem::path ownModels() const { return m_folder.root() / "models"; }
 
 private:
-    explicit Store(db::DataFolder folder) : m_folder(std::move(folder)), m_assets(files::assetFolder()) {}
+    explicit Store(db::DataFolder folder);
     void openDatabase();
     void takeInAssets();
 
     db::DataFolder m_folder;
+    DatabaseTables m_tables;
+    std::shared_ptr<core::SeaHulls> m_hulls;
     files::AssetSource m_assets;
     std::unique_ptr<db::Database> m_database;
     std::string m_trouble;

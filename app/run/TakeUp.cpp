@@ -31,7 +31,7 @@ core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& path) {
     const auto recording = core::readRecording(*bytes);
     if (!recording) return path.string() + ": " + recording.error();
     if (recording->end) return path.string() + ": this run has ended; there is nothing to take up again";
-    auto world = core::worldOf(*recording);
+    auto world = core::worldOf(*recording, store.hulls());
     if (!world) return world.error().text();
     auto taken = takenUp(path.string(), std::move(world).value(), *recording);
     if (!taken) return taken;

@@ -47,7 +47,7 @@ core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const Store& 
                                                                    core::NamedText scenario) {
     const auto documents = core::collectDocuments(std::move(scenario), store);
     if (!documents) return documents.error();
-    return core::buildWorld(*documents, 1);
+    return core::buildWorld(*documents, 1, core::WorldUse::Look);
 }
 
 /// Commands and rubrics are read against the scenario they name.

@@ -42,6 +42,8 @@ public:
         }
     }
 
+    std::shared_ptr<core::SeaHulls> hulls() const override { return m_store.hulls(); }
+
     std::optional<std::string> save(const std::string& id, const std::string& name,
                                     const std::string& text) override {
         if (m_store.database() == nullptr) return "there is no database: " + m_store.trouble();

@@ -1,5 +1,6 @@
 #include "core/assess/AnchorTask.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/Angle.h"
@@ -39,12 +40,14 @@ public:
             memory.notedPlace = now.position;
             return false;
         }
-        constexpr double kMoved_mps = 0.02;
+        // Dragging at this speed the anchor never holds; a jerk of the sea that shifts it by a hand's breadth
+        // costs some seconds of the time it has held, not all of it.
+        constexpr double kMoved_mps = 0.02, kObserved_s = 0.2;
         if (distance(now.position, memory.notedPlace) > m_goal.speed_mps * m_goal.still_s) {
             memory.noteA = time_s;
             memory.notedPlace = now.position;
         }
-        if (anchor->dragSpeed_mps > kMoved_mps) memory.noteB = time_s;
+        memory.noteB = std::min(time_s, memory.noteB + anchor->dragSpeed_mps / kMoved_mps * kObserved_s);
         if (!wholeSecond(now.time) || now.momentarySpeed_mps > m_goal.speed_mps) return false;
         const double shackleSlack_m = 0.05 * kShackle_m;  // the mark on the cable is read to a twentieth
         return distance(anchor->position, m_goal.place) <= m_goal.within_m &&

@@ -20,7 +20,7 @@ double advancePerRevolution_m(const Vessel& vessel, const ShipDynamics& dynamics
     for (double t = 0.0; t < kLongest_s && m.surge_mps - before_mps > 1e-5; t += kStep_s) {
         before_mps = m.surge_mps;
         m = rk4Step(m, kStep_s,
-                    [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+                    [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}); });
         m.sway_mps = m.yawRate_radps = 0.0;  // held on a straight course
     }
     return m.surge_mps / shaft_rps;
@@ -41,7 +41,7 @@ TurningIndices turningIndices(const Vessel& vessel, const ShipDynamics& dynamics
     const double pace_s = vessel.hull.lengthBp_m / m.surge_mps, step_s = kLengths * pace_s / kSteps;
     for (int i = 0; i < static_cast<int>(kSteps); ++i) {
         m = rk4Step(m, step_s,
-                    [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}, {}); });
+                    [&](const ShipMotion& x) { return dynamics.derivative(x, actuators, {}, {}); });
     }
     const double gain = m.yawRate_radps * pace_s / actuators.rudder_rad;
     const double lag = kLengths - m.heading_rad / (m.yawRate_radps * pace_s);
@@ -61,13 +61,13 @@ bool feelsDepth(const Vessel& vessel, const ShipDynamics& dynamics) {
 
 }  // namespace
 
-OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
-                 std::string_view model)
+OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, std::string_view model,
+                 std::shared_ptr<const SeaHull> seaHull)
     : id(std::move(shipId)),
       name(std::move(shipName)),
       vessel(std::move(shipVessel)),
       propellers(propellersOf(vessel.propulsion)),
-      dynamics(vessel, waves, model),
+      dynamics(vessel, model, std::move(seaHull)),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm(), vessel.shallow.squat)),
       modelFeelsDepth(feelsDepth(vessel, dynamics)),

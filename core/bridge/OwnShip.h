@@ -24,8 +24,9 @@ struct TurningIndices {
 
 /// An own ship of the exercise: her vessel and where she begins. Immutable, part of the World.
 struct OwnShip {
-    OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, const WaveTable& waves,
-            std::string_view model = {});
+    /// `seaHull`: see ShipDynamics.
+    OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, std::string_view model = {},
+            std::shared_ptr<const SeaHull> seaHull = nullptr);
 
     std::string id;
     std::string name;
@@ -86,6 +87,7 @@ void holdMotions(std::uint8_t free, ShipMotion& velocities);
 /// Everything about an own ship that changes. Part of State.
 struct OwnShipState {
     ShipMotion motion;
+    MemoryState water{};  ///< what it remembers of her motions
     SteeringGearState steering;
     ShaftStates shafts;
     std::array<ThrusterState, kMostThrusters> thrusters;
@@ -102,8 +104,8 @@ struct OwnShipState {
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
-        ar(self.motion, self.steering, self.shafts, self.thrusters, self.autopilot, self.pilot, self.lines,
-           self.anchors, self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m,
+        ar(self.motion, self.water, self.steering, self.shafts, self.thrusters, self.autopilot, self.pilot,
+           self.lines, self.anchors, self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m,
            self.freeMotions);
     }
 };

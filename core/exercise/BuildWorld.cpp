@@ -20,8 +20,13 @@ const config::Range kDegrees{0.0, 360.0, "deg"};
 
 class WorldBuilder {
 public:
-    WorldBuilder(config::Reader& in, Area area, const std::vector<Vessel>& vessels, std::uint64_t seed)
-        : m_in(in), m_vessels(vessels), m_world(std::make_shared<World>(std::move(area), seed)) {}
+    /// `hulls`: null for a world to be looked at.
+    WorldBuilder(config::Reader& in, Area area, const std::vector<Vessel>& vessels, SeaHulls* hulls,
+                 std::uint64_t seed)
+        : m_in(in),
+          m_vessels(vessels),
+          m_hulls(hulls),
+          m_world(std::make_shared<World>(std::move(area), seed)) {}
 
     std::shared_ptr<World> build() {
         readIdentity();
@@ -184,7 +189,8 @@ private:
             in.problem("model", "is \"" + model + "\"", known.error());
             model.clear();
         }
-        auto ship = std::make_unique<OwnShip>(id, name, *it, m_world->waves, model);
+        auto ship =
+            std::make_unique<OwnShip>(id, name, *it, model, m_hulls ? m_hulls->of(it->hull) : nullptr);
         if (in.has("berth")) {
             readBerth(in, *ship);
         } else {
@@ -286,6 +292,7 @@ private:
 
     config::Reader& m_in;
     const std::vector<Vessel>& m_vessels;
+    SeaHulls* m_hulls;
     std::set<std::string> m_shipIds;
     std::shared_ptr<World> m_world;
 };
@@ -311,7 +318,7 @@ OrderNames orderNames(const World& world) {
 }
 
 Result<std::shared_ptr<const World>, config::Problems> buildWorld(const ExerciseDocuments& documents,
-                                                                  std::uint64_t seed) {
+                                                                  std::uint64_t seed, WorldUse use) {
     config::Document scenario(documents.scenario.name, documents.scenario.text);
     scenario.isKind("scenario", kScenarioDocumentVersion);
     auto area = loadArea(documents.area.name, documents.area.text);
@@ -324,7 +331,11 @@ Result<std::shared_ptr<const World>, config::Problems> buildWorld(const Exercise
     }
     if (!scenario.problems().empty()) return scenario.problems();
     config::Reader in(scenario.root());
-    auto world = WorldBuilder(in, std::move(area).value(), vessels, seed).build();
+    const std::shared_ptr<SeaHulls> hulls = documents.hulls ? documents.hulls : std::make_shared<SeaHulls>();
+    auto world = WorldBuilder(in, std::move(area).value(), vessels,
+                              use == WorldUse::Sail ? hulls.get() : nullptr, seed)
+                     .build();
+    world->use = use;
     world->documents = documents;
     return scenario.finish(std::shared_ptr<const World>(std::move(world)));
 }

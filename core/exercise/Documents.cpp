@@ -26,6 +26,7 @@ Result<ExerciseDocuments, config::Problems> collectDocuments(NamedText scenario,
     config::Document document(scenario.name, scenario.text);
     if (!document.isKind("scenario", kScenarioDocumentVersion)) return document.problems();
     ExerciseDocuments all;
+    all.hulls = source.hulls();
     const auto take = [&](config::Reader& in, const char* key,
                           DocumentKind kind) -> std::optional<NamedText> {
         const std::string id = in.id(key);

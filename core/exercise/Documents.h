@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "core/base/Hash.h"
 #include "core/base/Problems.h"
 #include "core/base/Result.h"
+#include "core/seakeeping/SeaHulls.h"
 
 namespace sagara::core {
 
@@ -33,6 +35,8 @@ struct ExerciseDocuments {
     NamedText scenario;
     NamedText area;
     std::vector<NamedText> vessels;
+    std::shared_ptr<SeaHulls>
+        hulls;  ///< of the source; not part of the texts, null where they came in a file
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
@@ -40,10 +44,12 @@ struct ExerciseDocuments {
     }
 };
 
-/// Where documents are looked up by id: the database, or a folder.
+/// Where documents are looked up by id: the database, or a folder; and where what is worked out of them is
+/// kept.
 class DocumentSource {
 public:
     virtual ~DocumentSource() = default;
+    virtual std::shared_ptr<SeaHulls> hulls() const { return nullptr; }
     virtual std::optional<std::string> find(DocumentKind kind, const std::string& id) const = 0;
 };
 

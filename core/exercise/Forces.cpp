@@ -21,7 +21,7 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     set(ForceCause::Rudder, own.rudder);
     set(ForceCause::Propeller, own.propeller);
     set(ForceCause::Wind, loads.wind());
-    set(ForceCause::Waves, ship.dynamics.horizontalForce(loads.waves(), loads.depth_m()));
+    set(ForceCause::Waves, waveLoad(loads.waves()));
     set(ForceCause::Lines, loads.lines(s.motion));
     set(ForceCause::Anchors, loads.anchors(s.motion));
     set(ForceCause::Contact, loads.contact(s.motion));

@@ -83,7 +83,10 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
     const Actuators actuators = workShip(world, ship, s);
     const TickLoads loads(world, state, index, environment, actuators);
     const NorthEast current = loads.current();
-    s.motion = rk4Step(s.motion, kTick_s, [&](const ShipMotion& m) { return loads.rate(m, actuators); });
+    const MovingShip after = rk4Step(MovingShip{s.motion, s.water}, kTick_s,
+                                     [&](const MovingShip& m) { return loads.rate(m, actuators); });
+    s.motion = after.motion;
+    s.water = after.water;
     if (const std::int32_t component = notFinite(s.motion); component >= 0) {
         state.stopped = true;
         Event e;

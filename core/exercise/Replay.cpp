@@ -57,8 +57,11 @@ Result<State, std::string> firstState(const World& world, const Recording& recor
 
 }  // namespace
 
-Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording) {
-    return buildWorld(recording.header.documents, recording.header.seed);
+Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording,
+                                                               std::shared_ptr<SeaHulls> hulls) {
+    ExerciseDocuments documents = recording.header.documents;
+    documents.hulls = std::move(hulls);
+    return buildWorld(documents, recording.header.seed);
 }
 
 Result<State, std::string> readState(const World& world, const Recording::StatePart& part) {

@@ -8,8 +8,9 @@
 
 namespace sagara::core {
 
-/// The world a recording ran in, from the documents it carries.
-Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording);
+/// The world a recording ran in, from the documents it carries. `hulls`: where those of its vessels may be.
+Result<std::shared_ptr<const World>, config::Problems> worldOf(const Recording& recording,
+                                                               std::shared_ptr<SeaHulls> hulls = nullptr);
 
 /// A stored state of a recording. Fails when its bytes cannot be read or are not of this world.
 Result<State, std::string> readState(const World& world, const Recording::StatePart& part);

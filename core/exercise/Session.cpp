@@ -1,5 +1,7 @@
 #include "core/exercise/Session.h"
 
+#include <cassert>
+
 #include "core/exercise/Advance.h"
 
 namespace sagara::core {
@@ -10,6 +12,7 @@ Session::Session(std::shared_ptr<const World> world, State state, std::vector<Co
       m_state(std::move(state)),
       m_planned(std::move(planned)),
       m_recorder(recorder) {
+    assert(m_world->use == WorldUse::Sail);
     while (m_nextPlanned < m_planned.size() && m_planned[m_nextPlanned].tick < m_state.tick) ++m_nextPlanned;
 }
 

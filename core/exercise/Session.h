@@ -13,7 +13,8 @@ namespace sagara::core {
 /// next tick is due.
 class Session {
 public:
-    /// `planned`: commands with their ticks, in order. `recorder` may be null and outlives the session.
+    /// `world`: built for sailing. `planned`: commands with their ticks, in order. `recorder` may be null and
+    /// outlives the session.
     Session(std::shared_ptr<const World> world, State state, std::vector<Command> planned,
             RecordingWriter* recorder);
 

@@ -32,8 +32,8 @@ TickLoads::TickLoads(const World& world, const State& state, std::size_t index,
     const HeadingFrame frame({}, s.motion.heading_rad);
     const NorthEast middle = s.motion.position() + 0.5 * kTick_s * ground;
     const double middleHeading_rad = s.motion.heading_rad + 0.5 * kTick_s * s.motion.yawRate_radps;
-    m_waves = m_ship.dynamics.waveLoad().at(state.weather.sea, environment.waves, middle, middleHeading_rad,
-                                            waveFactorAt(world, environment.water, middle));
+    m_waves = m_ship.dynamics.wavesAt(environment.waves, middle, middleHeading_rad, s.motion.surge_mps,
+                                      waveFactorAt(world, environment.water, middle));
     WindVelocity wind = environment.wind;
     wind.speed_mps *= windFactorAt(m_ship.vessel.windage.centroidHeight_m, world.windProfile, wind.speed_mps);
     m_wind = windLoad(m_ship.vessel.windage, m_ship.vessel.hull.lengthOverall_m, wind, s.motion.heading_rad,
@@ -77,7 +77,8 @@ void TickLoads::addShips() {
     }
 }
 
-ShipMotion TickLoads::rate(const ShipMotion& m, const Actuators& actuators) const {
+MovingShip TickLoads::rate(const MovingShip& ship, const Actuators& actuators) const {
+    const ShipMotion& m = ship.motion;
     const OwnShipState& s = m_state.ships[m_index];
     Load load = m_slow;
     for (std::size_t k = 0; k < m_ship.lines.size(); ++k) {
@@ -85,8 +86,8 @@ ShipMotion TickLoads::rate(const ShipMotion& m, const Actuators& actuators) cons
     }
     if (!m_obstacles.empty()) load = load + contactLoad(m_obstacles, m_ship.hull, m, m_current);
     if (m_nearGround) load = load + groundLoad(m_world.area, m_ship.keel, m, m_tide_m, m_current);
-    ShipMotion rate = m_ship.dynamics.derivative(m, actuators, load, m_waves, m_current, m_depth_m);
-    if (s.freeMotions != kAllMotions) holdMotions(s.freeMotions, rate);
+    MovingShip rate = m_ship.dynamics.derivative(ship, actuators, load, m_waves, m_current, m_depth_m);
+    if (s.freeMotions != kAllMotions) holdMotions(s.freeMotions, rate.motion);
     return rate;
 }
 

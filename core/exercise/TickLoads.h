@@ -22,7 +22,7 @@ public:
               const Actuators& actuators);
 
     /// Rate of her motion: with these loads, and with what is held held.
-    ShipMotion rate(const ShipMotion& m, const Actuators& actuators) const;
+    MovingShip rate(const MovingShip& ship, const Actuators& actuators) const;
     const Obstacles& obstacles() const { return m_obstacles; }
 
     Load wind() const { return m_wind; }

@@ -36,12 +36,17 @@ struct ScenarioEvent {
     std::vector<Given> orders;
 };
 
+/// What a world is built for. To be looked at (on a wall, in a check) it needs no hulls in waves, which are
+/// the work of a second or two each where the documents bring none: its ships would feel no sea.
+enum class WorldUse : std::uint8_t { Sail, Look };
+
 /// Everything about an exercise that does not change while it runs: area, vessels, scenario, and all that is
 /// worked out from them once. Immutable after buildWorld; shared by every State of the exercise.
 struct World {
     World(Area worldArea, std::uint64_t worldSeed);
 
     std::uint64_t seed;
+    WorldUse use = WorldUse::Sail;
     Area area;
     WaveTable waves;
     GustTable gusts;
@@ -72,6 +77,7 @@ struct World {
 /// Builds the world of a scenario from the texts it names. All problems of all documents at once; nothing
 /// half built.
 Result<std::shared_ptr<const World>, config::Problems> buildWorld(const ExerciseDocuments& documents,
-                                                                  std::uint64_t seed);
+                                                                  std::uint64_t seed,
+                                                                  WorldUse use = WorldUse::Sail);
 
 }  // namespace sagara::core

@@ -10,7 +10,7 @@ namespace sagara::core {
 TrialShip::TrialShip(const Vessel& vessel, std::string_view model, double depth_m)
     : m_vessel(vessel),
       m_propellers(propellersOf(m_vessel.propulsion)),
-      m_dynamics(m_vessel, m_calm, model),
+      m_dynamics(m_vessel, model),
       m_depth_m(depth_m) {}
 
 void TrialShip::begin(const Approach& approach) {
@@ -31,7 +31,7 @@ void TrialShip::orderShafts(double speed_rps) {
 }
 
 ShipMotion TrialShip::rate(const ShipMotion& motion, const Actuators& actuators) const {
-    return m_dynamics.derivative(motion, actuators, {}, {}, {}, m_depth_m);
+    return m_dynamics.derivative(motion, actuators, {}, {}, m_depth_m);
 }
 
 void TrialShip::step(double step_s) {

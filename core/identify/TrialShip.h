@@ -56,7 +56,6 @@ private:
     ShipMotion rate(const ShipMotion& motion, const Actuators& actuators) const;
 
     Vessel m_vessel;
-    WaveTable m_calm{1, 1e6};
     std::vector<Propeller> m_propellers;
     ShipDynamics m_dynamics;
     double m_depth_m;

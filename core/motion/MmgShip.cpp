@@ -3,22 +3,10 @@
 #include <cmath>
 
 #include "core/motion/MmgShallow.h"
+#include "core/vessel/Metacentre.h"
 
 namespace sagara::core {
-namespace {
-
-/// Where the side force of the hull acts, over the draught below the waterline.
-constexpr double kLateralForceDepth = 0.35;
-
-/// KG from GM, KB by Morrish and BM of the waterplane's form (see estimate::Form).
-double gravityDepth_m(const Hull& hull) {
-    const double Cw = hull.waterplaneCoefficient, Cb = hull.blockCoefficient();
-    const double KB_m = hull.draught_m * (5.0 / 6.0 - Cb / (3.0 * Cw));
-    const double BM_m = (0.1216 * Cw - 0.0410) * hull.beam_m * hull.beam_m / (hull.draught_m * Cb);
-    return hull.draught_m - (KB_m + BM_m - hull.metacentricHeight_m);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 MmgShip::MmgShip(const MmgModel& model, const Vessel& vessel)
     : m_deep(model.parameters),
@@ -112,11 +100,12 @@ PlanarAcceleration MmgShip::acceleration(const ShipMotion& m, const Actuators& a
     a.surge_mps2 = f.surge_N / (m_mass_kg + k.mx * m_massScale_kg);
     a.sway_mps2 = (yaw_kgm2 * f.sway_N - moment * f.yaw_Nm) / determinant;
     a.yaw_radps2 = (sway_kg * f.yaw_Nm - moment * f.sway_N) / determinant;
-    const double ofHull_N =
-        own.hull.sway_N - m_massScale_kg * (k.my * a.sway_mps2 + k.mx * m.surge_mps * m.yawRate_radps);
-    a.heel_Nm = own.rudder.roll_Nm + own.propeller.roll_Nm -
-                kLateralForceDepth * m_hull.draught_m * ofHull_N +
-                m_gravityDepth_m * (ofHull_N + own.rudder.sway_N + own.propeller.sway_N);
+    const double turning_N = m_massScale_kg * k.mx * m.surge_mps * m.yawRate_radps;
+    const double ofHull_N = own.hull.sway_N - turning_N;  // at rest in frame B
+    const double depth = kLateralForceDepth * m_hull.draught_m, added_N = m_massScale_kg * k.my * a.sway_mps2;
+    a.heelAtBo_Nm = own.rudder.roll_Nm + own.propeller.roll_Nm - depth * ofHull_N;
+    a.heel_Nm = a.heelAtBo_Nm + depth * added_N +
+                m_gravityDepth_m * (ofHull_N - added_N + own.rudder.sway_N + own.propeller.sway_N);
     return a;
 }
 

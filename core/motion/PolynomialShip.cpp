@@ -180,7 +180,7 @@ PlanarAcceleration PolynomialShip::acceleration(const ShipMotion& m, const Actua
         return inertia.inverse[i][0] * lateral[0] + inertia.inverse[i][1] * lateral[1] +
                inertia.inverse[i][2] * lateral[2];
     };
-    return {f.surge_N / inertia.surge_kg, row(0), row(1), row(2), 0.0};
+    return {f.surge_N / inertia.surge_kg, row(0), row(1), row(2), 0.0, 0.0};
 }
 
 }  // namespace sagara::core

@@ -12,13 +12,19 @@
 
 namespace sagara::core {
 
+/// Where the side force on a hull acts, over the draught below the waterline.
+inline constexpr double kLateralForceDepth = 0.35;
+
 /// Accelerations of the four degrees of freedom a manoeuvring model owns.
 struct PlanarAcceleration {
     double surge_mps2 = 0.0;
     double sway_mps2 = 0.0;
     double roll_radps2 = 0.0;
     double yaw_radps2 = 0.0;
-    double heel_Nm = 0.0;  ///< of the forces in the plane, where the model does not own roll
+    /// Where the model does not own roll: of the forces in the plane about the height of the centre of
+    /// gravity, and about Bo without what added mass makes of the acceleration.
+    double heel_Nm = 0.0;
+    double heelAtBo_Nm = 0.0;
 };
 
 /// A published polynomial set at work, M nu' = F: hull rows, and rudder and propellers by the rule the set

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <variant>
 
 #include "core/motion/MmgShip.h"
+#include "core/motion/SeaMotion.h"
 #include "core/motion/TransferShip.h"
-#include "core/motion/WaveLoad.h"
+#include "core/motion/WaveEffect.h"
 
 namespace sagara::core {
 
@@ -14,20 +16,29 @@ namespace sagara::core {
 /// acceleration, hullForces, forceFor, swayAddedMass_kg and ownsRoll.
 using ManoeuvringShip = std::variant<PolynomialShip, TransferShip, MmgShip>;
 
-/// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document.
-/// Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model; heave, pitch (and
-/// roll where it has not) are springs on the waterplane with added mass and damping. Where the chosen model
-/// does not hold, another of the vessel takes over: both accelerations, in shares that change smoothly with
-/// speed.
+/// One own ship's equations of motion, six degrees of freedom, worked out once from her vessel document and
+/// her hull. Immutable. Surge, sway, yaw (and roll where it has it) belong to the manoeuvring model, the rest
+/// and what waves do to the hull's tables (SeaMotion). Where the chosen model does not hold, another of the
+/// vessel takes over: both accelerations, in shares that change smoothly with speed.
 class ShipDynamics {
 public:
-    /// `model`: one the vessel has (Vessel::model tells); the first where the name is empty.
-    ShipDynamics(const Vessel& vessel, const WaveTable& waves, std::string_view model = {});
+    /// `model`: one the vessel has (Vessel::model tells); the first where the name is empty. Without a hull
+    /// she sails in calm water only: heave, pitch (and roll where the model has it not) are springs on the
+    /// waterplane with the added mass and damping of her document, enough for trials.
+    explicit ShipDynamics(const Vessel& vessel, std::string_view model = {},
+                          std::shared_ptr<const SeaHull> hull = nullptr);
 
-    /// Rate of every field of the motion. `external`: all loads but those of hull, rudder, propellers and
-    /// waves. `current`: of the water, in N, m/s. `depth_m`: from the surface to the ground below her.
+    /// Rate of every field of the motion in calm water, on springs. `external`: all loads but those of hull,
+    /// rudder and propellers. `current`: of the water, in N, m/s. `depth_m`: from the surface to the ground
+    /// below her.
     ShipMotion derivative(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                          NorthEast current, double depth_m = kDeepWater_m) const;
+    /// The same in waves, of the water's memory too.
+    MovingShip derivative(const MovingShip& ship, const Actuators& actuators, const Load& external,
                           const WaveEffect& waves, NorthEast current, double depth_m = kDeepWater_m) const;
+    /// What the active components do to her there. `shelter`: factor on their heights.
+    WaveEffect wavesAt(const ActiveWaves& waves, NorthEast position, double heading_rad, double surge_mps,
+                       double shelter) const;
 
     /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
     /// the horizontal plane (other members 0). A model that has no force for something says what force would
@@ -37,38 +48,43 @@ public:
     /// The force in the horizontal plane, of all causes together, that changes her velocities at this rate:
     /// mass and added mass times acceleration, less what comes of the turning of frame B.
     Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m = kDeepWater_m) const;
-    /// The force that would do what waves do in the horizontal plane, where they carry her along.
-    Load horizontalForce(const WaveEffect& waves, double depth_m = kDeepWater_m) const;
 
-    const WaveLoad& waveLoad() const { return m_waveLoad; }
     /// Mass that a blow from the side has to stop: ship and added mass in sway.
     double lateralMass_kg() const { return m_swayMass_kg; }
-    double heaveStiffness_Npm() const { return m_c.heaveStiffness; }
+    double heaveStiffness_Npm() const { return m_springs.heaveStiffness; }
 
 private:
-    static WaveLoad::Coefficients coefficients(const Vessel& vessel);
-
+    /// On the waterplane, for calm water.
+    struct Springs {
+        explicit Springs(const Vessel& vessel);
+        double heaveMass, heaveStiffness, heaveDamping;
+        double pitchInertia, pitchStiffness, pitchDamping;
+        double rollInertia, rollStiffness, rollDamping;
+    };
+    void takeToSea(const Vessel& vessel, std::shared_ptr<const SeaHull> hull);
+    bool ownsRoll() const;
     /// 1 where the chosen model holds, 0 where the other has taken over.
     double shareOf(const ShipMotion& m, const Actuators& actuators) const;
-    double rollOnSpring_radps2(const ShipMotion& m, double heel_Nm) const;
     PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& load,
                                     double depth_m) const;
+    ShipMotion kinematics(const ShipMotion& m, NorthEast current) const;
+    ShipMotion onSprings(const ShipMotion& m, const Actuators& actuators, const Load& external,
+                         const WaveHeights& heights, NorthEast current, double depth_m) const;
 
     ManoeuvringShip m_model;
     std::optional<HoldsIn> m_holds;
     std::optional<ManoeuvringShip> m_elsewhere;  ///< there with m_holds
-    std::optional<HeightMotion> m_heightMotion;  ///< instead of springs on the waterplane
+    std::optional<HeightMotion> m_heightMotion;  ///< instead of tables and springs
+    std::optional<SeaMotion> m_sea;
     std::size_t m_shafts;
     bool m_headingFollowsRoll;
     Thrusters m_thrusters;
     Hull m_hull;
+    Waterplane m_waterplane;
     double m_mass_kg;
     double m_swayMass_kg;
-    double m_pitchInertia_kgm2;
-    double m_rollInertia_kgm2;  ///< with added inertia
-    double m_rollDamping_Nms;
-    WaveLoad::Coefficients m_c;
-    WaveLoad m_waveLoad;
+    double m_gravityDepth_m;
+    Springs m_springs;
 };
 
 }  // namespace sagara::core

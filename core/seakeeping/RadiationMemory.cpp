@@ -46,10 +46,16 @@ RadiationMemory::RadiationMemory(const SeakeepingTables& tables) : m_infinite(ta
     fit(tables, m_vertical, {2, 4});
     for (const Radiation& r : tables.radiation)
         for (std::size_t i = 1; i < 6; ++i) m_mostDamping[i] = std::max(m_mostDamping[i], r.damping(i, i));
-    for (std::size_t i = 1; i < 6; ++i)
-        for (std::size_t j = 1; j < 6; ++j)
-            for (std::size_t k = 0; k < kMemoryFilters; ++k)
-                m_slow(i, j) += m_whole[i][firstOf(j) + 2 * k] / bankOf(j)[k].stiffness_perS2;
+    m_slowEnd = m_endDirect;
+    for (std::size_t i = 1; i < 6; ++i) {
+        for (std::size_t j = 1; j < 6; ++j) {
+            for (std::size_t k = 0; k < kMemoryFilters; ++k) {
+                const std::size_t at = firstOf(j) + 2 * k;
+                m_slow(i, j) += m_whole[i][at] / bankOf(j)[k].stiffness_perS2;
+                m_slowEnd(i, j) += m_end[i][at] / bankOf(j)[k].stiffness_perS2;
+            }
+        }
+    }
 }
 
 void RadiationMemory::fit(const SeakeepingTables& tables, FilterBank& bank,

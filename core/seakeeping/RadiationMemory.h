@@ -46,6 +46,8 @@ public:
     Six endMomentum(const MemoryState& state, const Six& velocity) const;
     /// G(0): what the water adds to A_inf for slow motions.
     const Matrix6& slowAddedMass() const { return m_slow; }
+    /// The same of the momentum of the aftmost section, with what follows at once.
+    const Matrix6& slowEndMass() const { return m_slowEnd; }
     /// As the tables have it, from the filters.
     Radiation radiationAt(double omega_radps) const;
     /// Smallest eigenvalue of the damping, each motion in units of its greatest damping in the tables,
@@ -65,6 +67,7 @@ private:
     std::array<MemoryState, 6> m_end{};
     Matrix6 m_endDirect;
     Matrix6 m_slow;
+    Matrix6 m_slowEnd;
     Six m_mostDamping{};  ///< of each motion in the tables
 };
 

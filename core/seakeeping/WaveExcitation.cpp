@@ -16,6 +16,9 @@ std::array<double, 4> cubicWeights(double t) {
 }
 
 constexpr bool isOdd(std::size_t motion) { return motion == 1 || motion == 3 || motion == 5; }
+/// All but heave go with the slope of a long wave: they are kept over the wave number, so that straight lines
+/// do for long waves too.
+constexpr bool goesWithSlope(std::size_t motion) { return motion != 2; }
 
 using Parts = std::array<double, 16>;
 
@@ -26,12 +29,18 @@ public:
 
     /// Force in a wave of the frequency; what is odd in heading over the sine of it.
     Parts at(double omega_radps, double cosine) const {
-        const double first = m_t.waveOmega_radps.front();
+        const double first = m_t.waveOmega_radps.front(), second = m_t.waveOmega_radps[1];
         if (omega_radps >= first) return overFrequency(omega_radps, cosine);
-        Parts parts = overFrequency(first, cosine), still{};
-        for (std::size_t i = 0; i < 6; ++i) still[i] = -m_t.restoring(i, 2);
-        const double share = omega_radps * omega_radps / (first * first);
-        for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = still[i] + share * (parts[i] - still[i]);
+        // What long waves add to the static force goes with the square of the frequency, and the next term of
+        // it with the fourth.
+        const Parts low = overFrequency(first, cosine), high = overFrequency(second, cosine);
+        Parts parts{};
+        const double w2 = omega_radps * omega_radps, first2 = first * first, second2 = second * second;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const double still = i < 6 ? -m_t.restoring(i, 2) : 0.0;
+            const double a = (low[i] - still) / first2, b = (high[i] - still) / second2;
+            parts[i] = still + w2 * (a + (w2 - first2) * (b - a) / (second2 - first2));
+        }
         return parts;
     }
 
@@ -103,15 +112,24 @@ private:
     std::size_t m_speed;
 };
 
+/// Velocity of the water in a wave, at half the draught and as its mean along the ship, over that at the
+/// surface at Bo.
+double meanVelocity(const SeakeepingTables& t, double omega_radps, double cosine) {
+    const double k = omega_radps * omega_radps / kGravity_mps2, X = 0.5 * k * cosine * t.lengthBp_m;
+    return std::exp(-0.5 * k * t.draught_m) * (std::abs(X) < 1e-3 ? 1.0 : std::sin(X) / X);
+}
+
 }  // namespace
 
-WaveExcitation::WaveExcitation(const SeakeepingTables& tables) : m_speeds_mps(tables.speeds_mps) {
+WaveExcitation::WaveExcitation(const SeakeepingTables& tables)
+    : m_stillPitch_Nm(-tables.restoring(4, 2)), m_speeds_mps(tables.speeds_mps) {
     const std::vector<double>& grid = tables.waveOmega_radps;
     const double step = (grid.back() - grid.front()) / static_cast<double>((grid.size() - 1) * kRefined);
     const auto inside = static_cast<std::size_t>(grid.back() / step) + 1;
     const double fade = 0.2 * grid.back();
     m_frequencies = inside + static_cast<std::size_t>(fade / step) + 2;
     m_perFrequency = 1.0 / step;
+    m_shortest_radpm = std::pow(step * static_cast<double>(m_frequencies - 1), 2) / kGravity_mps2;
     m_cosineStride = m_frequencies * kParts;
     m_speedStride = m_cosineStride * kCosines;
     m_table.reserve(m_speedStride * tables.speeds_mps.size());
@@ -120,11 +138,15 @@ WaveExcitation::WaveExcitation(const SeakeepingTables& tables) : m_speeds_mps(ta
         for (std::size_t c = 0; c < kCosines; ++c) {
             const double cosine = 2.0 * static_cast<double>(c) / (kCosines - 1.0) - 1.0;
             for (std::size_t n = 0; n < m_frequencies; ++n) {
-                const double omega = step * static_cast<double>(n);
+                const double omega = step * std::max(1e-3, static_cast<double>(n));
                 const double over = std::clamp((omega - grid.back()) / fade, 0.0, 1.0);
-                const Parts parts = slice.at(std::min(omega, grid.back()), cosine);
-                for (std::size_t i = 0; i < kParts; ++i)
-                    m_table.push_back(static_cast<float>((i < 12 ? 1.0 - over : 1.0) * parts[i]));
+                Parts parts = slice.at(std::min(omega, grid.back()), cosine);
+                parts[15] = meanVelocity(tables, omega, cosine);
+                for (std::size_t i = 0; i < 12; ++i) parts[i] *= 1.0 - over;
+                parts[4] -= m_stillPitch_Nm;
+                for (std::size_t i = 0; i < 12; ++i)
+                    if (goesWithSlope(i % 6)) parts[i] /= omega * omega / kGravity_mps2;
+                for (const double part : parts) m_table.push_back(static_cast<float>(part));
             }
         }
     }
@@ -200,14 +222,16 @@ void WaveExcitation::blend(const Place& place, double* parts) const {
 
 Complex6 WaveExcitation::amplitude(double waveNumber_radpm, double relativeHeading_rad,
                                    double speed_mps) const {
+    if (waveNumber_radpm >= m_shortest_radpm) return {};
     double share = 0.0;
     const std::size_t speed = speedBelow(speed_mps, share);
     double parts[kParts];
     blend(placeOf(waveNumber_radpm, std::cos(relativeHeading_rad), speed, share), parts);
     Complex6 force;
     for (std::size_t i = 0; i < 6; ++i) {
-        const double factor = isOdd(i) ? std::sin(relativeHeading_rad) : 1.0;
-        force.set(i, {factor * parts[i], factor * parts[6 + i]});
+        const double factor =
+            (isOdd(i) ? std::sin(relativeHeading_rad) : 1.0) * (goesWithSlope(i) ? waveNumber_radpm : 1.0);
+        force.set(i, {factor * parts[i] + (i == 4 ? m_stillPitch_Nm : 0.0), factor * parts[6 + i]});
     }
     return force;
 }
@@ -221,18 +245,27 @@ WaveForces WaveExcitation::force(const ActiveWaves& waves, NorthEast position, d
     for (std::size_t n = 0; n < waves.count; ++n) {
         const double kNorth = waves.kNorth_radpm[n], kEast = waves.kEast_radpm[n];
         const double k = std::sqrt(kNorth * kNorth + kEast * kEast);
-        if (k <= 0.0) continue;
+        if (k <= 0.0 || k >= m_shortest_radpm) continue;
         double parts[kParts];
         blend(placeOf(k, (kNorth * c + kEast * s) / k, speed, share), parts);
         // Height cos(a) is the real part of exp(-i a), and time goes with exp(+i w t).
         const SinCos wave = sinCos(kNorth * position.north_m + kEast * position.east_m + waves.phase_rad[n]);
-        const double even = waves.amplitude_m[n], odd = even * (kNorth * s - kEast * c) / k;
+        const double height = waves.amplitude_m[n], slope = height * k,
+                     across = height * (kNorth * s - kEast * c);
+        const double factor[] = {slope, across, height, across, slope, across};
         for (std::size_t i = 0; i < 6; ++i)
-            sum.first[i] += (isOdd(i) ? odd : even) * (parts[i] * wave.cos + parts[6 + i] * wave.sin);
-        sum.mean[0] += even * even * parts[12];
-        sum.mean[1] += even * odd * parts[13];
-        sum.mean[5] += even * odd * parts[14];
+            sum.first[i] += factor[i] * (parts[i] * wave.cos + parts[6 + i] * wave.sin);
+        sum.first[4] += height * m_stillPitch_Nm * wave.cos;
+        sum.mean[0] += height * height * parts[12];
+        sum.mean[1] += height * across / k * parts[13];
+        sum.mean[5] += height * across / k * parts[14];
+        // At the surface in water of any depth: g k / omega times the height, along the wave.
+        const double perSlope = parts[15] * kGravity_mps2 / waves.omega_radps[n] * wave.cos;
+        sum.waterSurge_mps += height * perSlope * (kNorth * c + kEast * s);
+        sum.waterSway_mps -= across * perSlope;
     }
+    sum.waterSurge_mps *= shelter;
+    sum.waterSway_mps *= shelter;
     for (double& value : sum.first) value *= shelter;
     for (double& value : sum.mean) value *= shelter * shelter;
     return sum;

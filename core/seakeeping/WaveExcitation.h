@@ -10,7 +10,9 @@ namespace sagara::core {
 
 struct WaveForces {
     Six first{};
-    Six mean{};  ///< surge, sway and yaw only
+    Six mean{};                   ///< surge, sway and yaw only
+    double waterSurge_mps = 0.0;  ///< of the water in the waves, in B, its mean over the hull
+    double waterSway_mps = 0.0;
 };
 
 /// First-order wave forces on one ship at run time: Froude-Krylov and diffraction of the tables, resampled
@@ -37,7 +39,8 @@ private:
     static constexpr std::size_t kCosines = 65;
     static constexpr std::size_t kRefined = 2;  ///< steps for one of the tables' frequencies
     static constexpr std::size_t kBetween = 3;  ///< steps from one of the tables' speeds to the next
-    static constexpr std::size_t kParts = 16;   ///< six real, six imaginary, three of the mean force, none
+    static constexpr std::size_t kParts =
+        16;  ///< six real, six imaginary, three of the mean force, mean velocity over that of the surface
     struct Place {
         std::size_t first;  ///< of kParts values at the corner of lower speed, cosine and frequency
         float weight[8];    ///< speed, cosine, frequency; the last runs fastest
@@ -47,6 +50,8 @@ private:
     void blend(const Place& place, double* parts) const;
     std::size_t speedBelow(double speed_mps, double& share) const;
 
+    double m_stillPitch_Nm;         ///< per metre, of the longest waves
+    double m_shortest_radpm = 0.0;  ///< nothing is felt of waves beyond
     std::size_t m_frequencies = 0;
     double m_perFrequency = 0.0;  ///< grid steps per rad/s
     std::size_t m_cosineStride = 0;

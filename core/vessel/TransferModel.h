@@ -9,7 +9,7 @@ namespace sagara::core {
 
 /// What a model makes of waves.
 enum class WaveFeeling : std::uint8_t {
-    Pressure,  ///< first-order loads of WaveLoad
+    Pressure,  ///< the tables of her hull
     Blind,
     Heights,        ///< pushed by the heights of the surface over her waterplane, as Ueng et al. (2008)
     HeightsPrinted  ///< as printed in Sandaruwan et al. (2010): no gravity, no restoring

@@ -5,7 +5,7 @@
 namespace sagara::db {
 
 std::span<const Migration> migrations() {
-    static constexpr std::array<Migration, kSchemaVersion> kMigrations{toVersion1, toVersion2};
+    static constexpr std::array<Migration, kSchemaVersion> kMigrations{toVersion1, toVersion2, toVersion3};
     return kMigrations;
 }
 

@@ -48,7 +48,7 @@ private:
 
     End hear(link::Connection& station, link::Setup& setup, std::int64_t) {
         if (!sameExercise(setup)) {
-            auto world = core::buildWorld(setup.documents, setup.seed);
+            auto world = core::buildWorld(setup.documents, setup.seed, core::WorldUse::Look);
             if (!world) return fail(station, "the exercise cannot be built here: " + world.error().text());
             m_world = std::move(world).value();
             m_viewSetUp.reset();

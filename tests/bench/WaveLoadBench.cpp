@@ -5,6 +5,7 @@
 #include "core/motion/ShipDynamics.h"
 #include "core/sea/Beaufort.h"
 #include "tests/support/Assets.h"
+#include "tests/support/hulls/Tables.h"
 
 namespace sagara::core {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 void sixWaveLoads(benchmark::State& state) {
     const WaveTable table(1, 20.0);
     const Vessel vessel = loadVessel("patrol51.json", test::readAsset("vessels/patrol51.json")).value();
-    const ShipDynamics ship(vessel, table);
+    const ShipDynamics ship(vessel, {}, test::seaHulls()->of(vessel.hull));
     SeaState sea{{*windSea(windOfBeaufort_mps(5), 0.6, Exposure::Inshore)}, {}, {}};
     raiseSea(table, sea);
     sea.active.resize(static_cast<std::size_t>(state.range(0)));
@@ -22,7 +23,7 @@ void sixWaveLoads(benchmark::State& state) {
     activeWaves(table, sea, SimTime::fromSeconds(600), *waves);
     double heading = 0.3;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(ship.waveLoad().at(sea, *waves, {400.0, 300.0}, heading, 1.0));
+        benchmark::DoNotOptimize(ship.wavesAt(*waves, {400.0, 300.0}, heading, 6.0, 1.0));
         heading += 1e-6;
     }
 }

@@ -94,7 +94,7 @@ DryRun::Progress DryRun::progress() const {
 
 DryRunResult DryRun::sail(const std::string& scenario, const core::DocumentSource& documents, int level) {
     DryRunResult result;
-    auto built = worldOf(scenario, documents);
+    auto built = worldOf(scenario, documents, core::WorldUse::Sail);
     if (!built) return result.problems = built.error(), result;
     const std::shared_ptr<const core::World> world = std::move(built).value();
     const auto begun = std::chrono::steady_clock::now();

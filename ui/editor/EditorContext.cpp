@@ -14,8 +14,9 @@ using Texts = std::map<std::pair<core::DocumentKind, std::string>, std::shared_p
 
 class TextsSource final : public core::DocumentSource {
 public:
-    TextsSource(Texts texts, std::set<std::string> pictures)
-        : m_texts(std::move(texts)), m_pictures(std::move(pictures)) {}
+    TextsSource(Texts texts, std::set<std::string> pictures, std::shared_ptr<core::SeaHulls> hulls)
+        : m_texts(std::move(texts)), m_pictures(std::move(pictures)), m_hulls(std::move(hulls)) {}
+    std::shared_ptr<core::SeaHulls> hulls() const override { return m_hulls; }
     std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override {
         if (kind == core::DocumentKind::Picture)
             return m_pictures.contains(id) ? std::optional(std::string()) : std::nullopt;
@@ -26,6 +27,7 @@ public:
 private:
     Texts m_texts;
     std::set<std::string> m_pictures;
+    std::shared_ptr<core::SeaHulls> m_hulls;
 };
 
 struct ReadArea {
@@ -212,7 +214,7 @@ std::shared_ptr<const core::DocumentSource> EditorContext::documents() const {
         (void)textOf(core::DocumentKind::Vessel, textAt(document, join(join("ownShips", i), "vessel")));
     std::set<std::string> pictures;
     for (const EditorPort::Entry& e : listed(core::DocumentKind::Picture)) pictures.insert(e.id);
-    return std::make_shared<const TextsSource>(m_texts, std::move(pictures));
+    return std::make_shared<const TextsSource>(m_texts, std::move(pictures), m_port.hulls());
 }
 
 }  // namespace sagara::ui::editor

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ public:
     /// By name.
     virtual std::vector<Entry> list(core::DocumentKind kind) const = 0;
     virtual std::optional<std::string> text(core::DocumentKind kind, const std::string& id) const = 0;
+    /// Where hulls made for the sea are kept; null: nowhere.
+    virtual std::shared_ptr<core::SeaHulls> hulls() const { return nullptr; }
     /// Stores a scenario as the user's own, in place of what has this id. What went wrong, for the person.
     virtual std::optional<std::string> save(const std::string& id, const std::string& name,
                                             const std::string& text) = 0;

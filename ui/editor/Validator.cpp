@@ -17,10 +17,11 @@ Problems listOf(const core::config::Problems& found) {
 }  // namespace
 
 core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const std::string& text,
-                                                                   const core::DocumentSource& documents) {
+                                                                   const core::DocumentSource& documents,
+                                                                   core::WorldUse use) {
     const auto collected = core::collectDocuments({"scenario", text}, documents);
     if (!collected) return listOf(collected.error());
-    auto world = core::buildWorld(*collected, 1);
+    auto world = core::buildWorld(*collected, 1, use);
     if (!world) return listOf(world.error());
     return std::move(world).value();
 }
@@ -42,7 +43,7 @@ void Validator::check() {
     if (m_worker.isRunning()) return;  // looks again when it is done
     m_checking = m_context.draft().shared();
     m_worker.setFuture(QtConcurrent::run([draft = m_checking, documents = m_context.documents()] {
-        const auto world = worldOf(draft->dump(), *documents);
+        const auto world = worldOf(draft->dump(), *documents, core::WorldUse::Look);
         return world ? Problems() : world.error();
     }));
 }

@@ -14,7 +14,8 @@ using Problems = std::vector<core::config::Problem>;
 /// The exercise of a draft, or what is wrong with it. Faults of other documents (a vessel's) have no path in
 /// this one. Takes a few tenths of a second.
 core::Result<std::shared_ptr<const core::World>, Problems> worldOf(const std::string& text,
-                                                                   const core::DocumentSource& documents);
+                                                                   const core::DocumentSource& documents,
+                                                                   core::WorldUse use);
 
 /// CONTROLLER: has the draft read by the loader in another thread, soon after it was changed.
 class Validator final : public QObject {

@@ -25,7 +25,7 @@ std::shared_ptr<const core::World> studioWorld(const core::Vessel& vessel, bool 
     world->weather.wind.windFrom_rad = 0.8;
     world->weather.visibility_m = 15.0 * core::kNauticalMile_m;
     for (auto& level : world->levels) level = {1.0, 1.0, 1.0};
-    world->ships.push_back(std::make_unique<core::OwnShip>("own", vessel.name, vessel, world->waves));
+    world->ships.push_back(std::make_unique<core::OwnShip>("own", vessel.name, vessel));
     return world;
 }
 

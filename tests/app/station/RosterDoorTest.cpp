@@ -133,7 +133,7 @@ TEST_F(RosterDoor, ADatabaseOfVersionOneIsRaisedWhenTheStoreOpensIt) {
     execute(QString::fromUtf8(sample.readAll()));
     openStore();
     ASSERT_NE(m_store->database(), nullptr) << m_store->trouble();
-    EXPECT_EQ(database().info().schemaVersion, 2);
+    EXPECT_EQ(database().info().schemaVersion, 3);
     RosterStore roster(*m_frame);
     ASSERT_EQ(roster.people().size(), 1u);
     EXPECT_EQ(roster.runs({}, 10).size(), 2u);

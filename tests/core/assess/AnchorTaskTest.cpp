@@ -67,12 +67,21 @@ TEST_F(BroughtUp, AndAnewWhenItHasBeenUp) {
     EXPECT_FALSE(lie(119.0));
 }
 
-TEST_F(BroughtUp, AnAnchorThatMovesStartsTheTwoMinutesAgain) {
+TEST_F(BroughtUp, AnAnchorThatDragsStartsTheTwoMinutesAgain) {
     lie(100.0);
     now.anchors[0].dragSpeed_mps = 0.1;
-    lie(1.0);
+    lie(25.0);
     now.anchors[0].dragSpeed_mps = 0.0;
     EXPECT_FALSE(lie(119.0));  // last seen moving 0.2 s before
+    EXPECT_TRUE(lie(2.0));
+}
+
+TEST_F(BroughtUp, AJerkOfTheSeaCostsSeconds) {
+    lie(100.0);
+    now.anchors[0].dragSpeed_mps = 0.1;
+    lie(1.0);  // 0.1 m: 5 s
+    now.anchors[0].dragSpeed_mps = 0.0;
+    EXPECT_FALSE(lie(23.0));
     EXPECT_TRUE(lie(2.0));
 }
 

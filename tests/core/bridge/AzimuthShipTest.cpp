@@ -40,7 +40,7 @@ const OwnShip& rebuilt() {
             text = replaced(text, member, "");
         auto vessel = loadVessel("azimuth.json", text);
         if (!vessel) throw std::runtime_error(vessel.error().text());
-        return OwnShip("own", "Own", std::move(vessel).value(), WaveTable(1, 1e6));
+        return OwnShip("own", "Own", std::move(vessel).value());
     }();
     return ship;
 }
@@ -51,7 +51,7 @@ protected:
         for (int i = 0; i < std::lround(for_s / kTick_s); ++i) {
             const Actuators actuators = runMachinery(ship, state, kTick_s);
             state.motion = rk4Step(state.motion, kTick_s, [&](const ShipMotion& m) {
-                return ship.dynamics.derivative(m, actuators, {}, {}, {});
+                return ship.dynamics.derivative(m, actuators, {}, {});
             });
         }
     }

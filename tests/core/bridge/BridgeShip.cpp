@@ -14,8 +14,7 @@ const OwnShip& shippedShip(const std::string& vesselId) {
     if (known != ships.end()) return known->second;
     auto vessel = loadVessel(vesselId, sagara::test::readAsset("vessels/" + vesselId + ".json"));
     if (!vessel) throw std::runtime_error(vessel.error().text());
-    return ships.try_emplace(vesselId, "own", "Own", std::move(vessel).value(), WaveTable(1, 1e6))
-        .first->second;
+    return ships.try_emplace(vesselId, "own", "Own", std::move(vessel).value()).first->second;
 }
 
 OwnShipState underWay(const OwnShip& ship, TelegraphStep step) {
@@ -46,7 +45,7 @@ void BridgeShip::tick() {
     for (std::size_t k = 0; k < ship.anchorCount(); ++k)
         load = load + anchorLoad(ship.vessel.groundTackle.anchors[k], state.anchors[k], state.motion);
     state.motion = rk4Step(state.motion, kTick_s, [&](const ShipMotion& m) {
-        return ship.dynamics.derivative(m, actuators, load, {}, current);
+        return ship.dynamics.derivative(m, actuators, load, current);
     });
     constexpr double kGpsMean_s = 15.0;
     state.shownOverGround_mps =

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EveryOwnShip, ::testing::Values("patrol51", "e
                          });
 
 TEST(OwnShipStart, LiesAlongsideWithLinesFastAndAnchorsHome) {
-    OwnShip ship("own", "Own", test::shippedShip("patrol51").vessel, WaveTable(1, 1e6));
+    OwnShip ship("own", "Own", test::shippedShip("patrol51").vessel);
     ship.start = {.north_m = 5.0, .east_m = -3.0, .heading_rad = 2.0};
     ship.lineIds = {"head"};
     ship.lines = {{{24.0, -1.6}, {30.0, -10.0}}};
@@ -77,7 +77,7 @@ TEST(OwnShipStart, LiesAlongsideWithLinesFastAndAnchorsHome) {
 }
 
 TEST(OwnShipStart, UnderWayItsShaftsTurnAndReverseLikeAnyOther) {
-    OwnShip ship("own", "Own", test::shippedShip("patrol51").vessel, WaveTable(1, 1e6));
+    OwnShip ship("own", "Own", test::shippedShip("patrol51").vessel);
     ship.start.surge_mps = 5.0;
     ship.startShafts_rps.fill(4.0);
     OwnShipState state = startOf(ship);

@@ -95,7 +95,7 @@ TEST_F(Piloted, OneStepFollowsTheOther) {
 // --- lines ---
 
 TEST(PilotLines, AreWorkedOnceAndWaitedFor) {
-    OwnShip ship("own", "Own", test::shippedShip("patrol51").vessel, WaveTable(1, 1e6));
+    OwnShip ship("own", "Own", test::shippedShip("patrol51").vessel);
     ship.lines.assign(4, {{24.0, -1.6}, {30.0, -10.0}});
     OwnShipState state = startOf(ship);
     const PilotScript script{LinesStep{0b0001, 0b0010, 0b0100, 0b1000, 3.0}};

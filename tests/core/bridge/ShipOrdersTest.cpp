@@ -11,7 +11,7 @@ namespace {
 /// A patrol vessel with two lines ashore, both shafts stopped, both anchors home.
 class ShipOrders : public ::testing::Test {
 protected:
-    OwnShip ship{"own", "Own", test::shippedShip("patrol51").vessel, WaveTable(1, 1e6)};
+    OwnShip ship{"own", "Own", test::shippedShip("patrol51").vessel};
     OwnShipState state;
     const TelegraphTable& telegraph_rps = ship.vessel.propulsion.telegraph_rps;
     const double limit_rad = ship.vessel.steering.limit_rad;

@@ -217,7 +217,7 @@ TEST_P(EstimatedShip, MakesHerSpeedTurnsSteadilyStopsAndBacks) {
     EXPECT_LT(ship.motion().surge_mps, -0.05 * p.speed_mps);
 
     // Fit for an exercise: speed per revolution and turning indices come out of a run of the model.
-    const OwnShip own("own", "own", vessel, WaveTable(1, 1e6));
+    const OwnShip own("own", "own", vessel);
     EXPECT_GT(own.advancePerRev_m, 0.0);
     EXPECT_GT(own.turning.gain, 0.1);
 }

@@ -82,8 +82,7 @@ class MmgTrace : public ::testing::TestWithParam<ReferenceRun> {};
 TEST_P(MmgTrace, IsThePublishedModels) {
     const ReferenceRun& run = GetParam();
     const Vessel vessel = shipped(run.vessel);
-    const WaveTable waves{1, 1e6};
-    const ShipDynamics ship{vessel, waves};
+    const ShipDynamics ship(vessel);
     ShipMotion motion;
     motion.surge_mps = run.speed_mps;
     double rudder_rad = 0.0, time_s = 0.0, order_rad = run.rudder_deg * kDegree_rad;
@@ -95,7 +94,7 @@ TEST_P(MmgTrace, IsThePublishedModels) {
             const double next_rad = rudder_rad + std::clamp(order_rad - rudder_rad, -most, most);
             const Actuators actuators{0.5 * (rudder_rad + next_rad), {run.shaft_rps}};
             motion = rk4Step(motion, run.step_s,
-                             [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
+                             [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}); });
             rudder_rad = next_rad;
             time_s += run.step_s;
             const double side = order_rad > 0.0 ? 1.0 : -1.0;
@@ -359,13 +358,12 @@ struct Turn {
     double advance_L = 0.0, tacticalDiameter_L = 0.0, yawRate = 0.0, drift_deg = 0.0, diameter_L = 0.0;
 };
 Turn hardOver(const Vessel& vessel, double speed_mps, double depth_m) {
-    const WaveTable waves{1, 1e6};
-    const ShipDynamics ship{vessel, waves};
+    const ShipDynamics ship(vessel);
     const double L = vessel.hull.lengthBp_m, step_s = 0.0005 * L;
     double slow_rps = 0.0, fast_rps = 40.0;  // of the shaft that holds the speed
     for (int i = 0; i < 50; ++i) {
         const double n = 0.5 * (slow_rps + fast_rps);
-        const ShipMotion rate = ship.derivative(moving(speed_mps, 0.0, 0.0), {0.0, {n}}, {}, {}, {}, depth_m);
+        const ShipMotion rate = ship.derivative(moving(speed_mps, 0.0, 0.0), {0.0, {n}}, {}, {}, depth_m);
         (rate.surge_mps < 0.0 ? slow_rps : fast_rps) = n;
     }
     ShipMotion m = moving(speed_mps, 0.0, 0.0);
@@ -374,7 +372,7 @@ Turn hardOver(const Vessel& vessel, double speed_mps, double depth_m) {
     while (m.heading_rad < 3.0 * kPi) {
         rudder_rad = std::min(35.0 * kDegree_rad, rudder_rad + vessel.steering.rate_radps * step_s);
         m = rk4Step(m, step_s, [&](const ShipMotion& x) {
-            return ship.derivative(x, {rudder_rad, {fast_rps}}, {}, {}, {}, depth_m);
+            return ship.derivative(x, {rudder_rad, {fast_rps}}, {}, {}, depth_m);
         });
         if (m.heading_rad < 0.5 * kPi) turn.advance_L = m.north_m / L;
         if (m.heading_rad < kPi) turn.tacticalDiameter_L = m.east_m / L;

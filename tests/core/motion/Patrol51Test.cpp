@@ -17,8 +17,7 @@ constexpr double kStep_s = 0.01;
 class Patrol51 : public ::testing::Test {
 protected:
     const Vessel vessel = loadVessel("patrol51.json", test::readAsset("vessels/patrol51.json")).value();
-    const WaveTable waves{1, 1e6};
-    const ShipDynamics ship{vessel, waves};
+    const ShipDynamics ship{vessel};
     const PolynomialShip model{std::get<PolynomialModel>(vessel.models[0].parameters), vessel};
 
     ShipMotion motion;
@@ -34,7 +33,7 @@ protected:
         const double next_rad = rudder_rad + std::clamp(order_rad - rudder_rad, -most, most);
         const Actuators actuators{0.5 * (rudder_rad + next_rad), {shaft_rps, shaft_rps}};
         motion = rk4Step(motion, kStep_s,
-                         [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
+                         [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}); });
         rudder_rad = next_rad;
         time_s += kStep_s;
     }
@@ -186,7 +185,7 @@ TEST_F(Patrol51, TurnsOnTheSpotWithTheScrewsOpposed) {
     for (int i = 0; i < 100 * 90; ++i) {  // port ahead, starboard astern: bow to starboard
         const Actuators actuators{0.0, {2.6, -3.2}};
         motion = rk4Step(motion, kStep_s,
-                         [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}, {}); });
+                         [&](const ShipMotion& m) { return ship.derivative(m, actuators, {}, {}); });
     }
     EXPECT_GT(motion.heading_rad, 40.0 * kDegree_rad);
     EXPECT_LT(length(motion.position()), 51.5 / 2);
@@ -214,7 +213,7 @@ TEST_F(Patrol51, HalfTheStepIsASixteenthOfTheError) {
         const int steps = static_cast<int>(std::lround(20.0 / dt));
         for (int i = 0; i < steps; ++i) {
             m = rk4Step(m, dt, [&](const ShipMotion& x) {
-                return ship.derivative(x, {0.3, {7.0, 7.0}}, {}, {}, {});
+                return ship.derivative(x, {0.3, {7.0, 7.0}}, {}, {});
             });
         }
         return m.heading_rad;

@@ -48,8 +48,7 @@ class PublishedSet : public ::testing::TestWithParam<TracedRun> {};
 TEST_P(PublishedSet, FollowsItsComputedTrace) {
     const TracedRun& run = GetParam();
     const Vessel vessel = shipped(run.vessel);
-    const WaveTable calm(1, 1e6);
-    const ShipDynamics ship(vessel, calm);
+    const ShipDynamics ship(vessel);
     const std::vector<test::Row> rows = test::readReference(std::string("manoeuvring/") + run.file + ".csv");
     Steered s;
     s.motion.surge_mps = rows[0]["u"];
@@ -59,7 +58,7 @@ TEST_P(PublishedSet, FollowsItsComputedTrace) {
         actuators.rudder_rad = x.rudder_rad;
         actuators.shaft_rps.fill(run.shaft_rps);
         const double most = vessel.steering.rate_radps;
-        return Steered{ship.derivative(x.motion, actuators, {}, {}, {}, run.depth_m),
+        return Steered{ship.derivative(x.motion, actuators, {}, {}, run.depth_m),
                        std::clamp((order_rad - x.rudder_rad) / vessel.steering.lag_s, -most, most)};
     };
     const double L = vessel.hull.lengthBp_m;
@@ -92,8 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Traces, PublishedSet, ::testing::ValuesIn(kRuns),
 class HandingOver : public ::testing::TestWithParam<const char*> {
 protected:
     const Vessel vessel = shipped(GetParam());
-    const WaveTable calm{1, 1e6};
-    const ShipDynamics ship{vessel, calm};
+    const ShipDynamics ship{vessel};
     const HoldsIn holds = *vessel.models[0].holds;
 
     static ShipMotion at(double surge_mps) {
@@ -108,7 +106,7 @@ protected:
         Actuators actuators;
         actuators.rudder_rad = 0.2;
         actuators.shaft_rps.fill(shaft_rps);
-        return ship.derivative(at(surge_mps), actuators, {}, {}, {});
+        return ship.derivative(at(surge_mps), actuators, {}, {});
     }
 };
 

@@ -61,20 +61,15 @@ TEST(Sandaruwan, ThrustAt51RpmAnd10KnotsIsTheAuditsNotThePapers) {
 
 TEST(Sandaruwan, StartsFromRestAndKeepsStillWithoutThrust) {
     const Vessel vessel = essoOsaka();
-    const WaveTable waves(1, 1e6);
-    const ShipDynamics ship(vessel, waves, "sandaruwan2010");
+    const ShipDynamics ship(vessel, "sandaruwan2010");
     ShipMotion m;
     for (int i = 0; i < 50 * 600; ++i) {
-        m = rk4Step(m, 0.02, [&](const ShipMotion& x) {
-            return ship.derivative(x, {0.2, {0.85}}, {}, {}, {});
-        });
+        m = rk4Step(m, 0.02, [&](const ShipMotion& x) { return ship.derivative(x, {0.2, {0.85}}, {}, {}); });
     }
     EXPECT_GT(m.surge_mps, 2.5);
     EXPECT_GT(m.heading_rad, 0.0);
     ShipMotion still;
-    still = rk4Step(still, 0.02, [&](const ShipMotion& x) {
-        return ship.derivative(x, {0.2, {}}, {}, {}, {});
-    });
+    still = rk4Step(still, 0.02, [&](const ShipMotion& x) { return ship.derivative(x, {0.2, {}}, {}, {}); });
     EXPECT_EQ(still.surge_mps, 0.0);
     EXPECT_EQ(still.heading_rad, 0.0);
 }

@@ -14,7 +14,7 @@ Vessel shippedVessel(const std::string& id) {
 
 TestShip::TestShip(const std::string& vesselId)
     : vessel(shippedVessel(vesselId)),
-      dynamics(vessel, WaveTable(1, 1e6)),
+      dynamics(vessel),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm())) {}
 

@@ -33,7 +33,7 @@ struct TestShip {
     template <typename LoadAt>
     void tick(LoadAt&& load, double dt_s = kTick_s) {
         motion = rk4Step(motion, dt_s, [&](const ShipMotion& m) {
-            return dynamics.derivative(m, actuators, load(m), {}, current);
+            return dynamics.derivative(m, actuators, load(m), current);
         });
     }
 };

@@ -5,12 +5,14 @@
 
 #include "core/exercise/Documents.h"
 #include "core/exercise/World.h"
+#include "tests/support/hulls/Tables.h"
 
 namespace sagara::test {
 
 /// Documents of the source tree's assets/, with others put over them by id.
 class TreeSource final : public core::DocumentSource {
 public:
+    std::shared_ptr<core::SeaHulls> hulls() const override { return seaHulls(); }
     std::optional<std::string> find(core::DocumentKind kind, const std::string& id) const override;
 };
 

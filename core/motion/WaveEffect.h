@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/motion/HeightMotion.h"
+#include "core/seakeeping/WaveExcitation.h"
+
+namespace sagara::core {
+
+/// What waves do to a ship at her place, for the models that feel their pressure or are pushed by their
+/// heights; nothing of either for those that know no waves.
+struct WaveEffect {
+    WaveForces forces;
+    WaveHeights heights;
+};
+
+/// First-order and mean force together.
+inline Load waveLoad(const WaveEffect& waves) {
+    const Six &first = waves.forces.first, &mean = waves.forces.mean;
+    return {first[0] + mean[0], first[1] + mean[1], first[2], first[3], first[4], first[5] + mean[5]};
+}
+inline Load meanForce(const WaveForces& waves) {
+    return {.surge_N = waves.mean[0], .sway_N = waves.mean[1], .yaw_Nm = waves.mean[5]};
+}
+
+}  // namespace sagara::core
