@@ -69,6 +69,7 @@ OwnShip::OwnShip(std::string shipId, std::string shipName, Vessel shipVessel, st
       propellers(propellersOf(vessel.propulsion)),
       dynamics(vessel, model, std::move(seaHull)),
       hull(contactHull(vessel.hull, dynamics.lateralMass_kg())),
+      bow(bowOf(vessel.hull)),
       keel(keelOf(vessel.hull, dynamics.heaveStiffness_Npm(), vessel.shallow.squat)),
       modelFeelsDepth(feelsDepth(vessel, dynamics)),
       advancePerRev_m(advancePerRevolution_m(vessel, dynamics)),

@@ -8,6 +8,7 @@
 #include "core/bridge/ShaftControl.h"
 #include "core/bridge/SteeringGear.h"
 #include "core/bridge/ThrusterControl.h"
+#include "core/motion/Bow.h"
 #include "core/motion/ShipDynamics.h"
 #include "core/world/Anchor.h"
 #include "core/world/Contact.h"
@@ -34,6 +35,7 @@ struct OwnShip {
     std::vector<Propeller> propellers;  ///< as propulsion.units
     ShipDynamics dynamics;
     ContactHull hull;
+    Bow bow;
     Keel keel;
     ShipMotion start;
     std::array<double, kMostShafts> startShafts_rps{};
@@ -74,6 +76,18 @@ struct ContactMemory {
     }
 };
 
+/// What is remembered of the sea at the bow.
+struct BowMemory {
+    double forefootRise_m = 0.0;  ///< when it was looked at last
+    std::int64_t greenTick = -1'000'000;
+    std::int64_t slamTick = -1'000'000;
+
+    template <typename Archive, typename Self>
+    static void fields(Archive& ar, Self& self) {
+        ar(self.forefootRise_m, self.greenTick, self.slamTick);
+    }
+};
+
 /// Which of her six motions an own ship is free to make, for the classroom: one bit each. The others are
 /// held: no velocity in them through the water, attitude and heave as they were.
 enum class FreeMotion : std::uint8_t { Surge = 1, Sway = 2, Heave = 4, Roll = 8, Pitch = 16, Yaw = 32 };
@@ -101,12 +115,13 @@ struct OwnShipState {
     bool aground = false;
     double underKeel_m = 0.0;
     std::uint8_t freeMotions = kAllMotions;
+    BowMemory bow;
 
     template <typename Archive, typename Self>
     static void fields(Archive& ar, Self& self) {
         ar(self.motion, self.water, self.steering, self.shafts, self.thrusters, self.autopilot, self.pilot,
            self.lines, self.anchors, self.contacts, self.shownOverGround_mps, self.aground, self.underKeel_m,
-           self.freeMotions);
+           self.freeMotions, self.bow);
     }
 };
 

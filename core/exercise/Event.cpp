@@ -58,6 +58,10 @@ const char* eventKindName(EventKind kind) {
             return "targetMoved";
         case EventKind::MotionsFreed:
             return "motionsFreed";
+        case EventKind::GreenWater:
+            return "greenWater";
+        case EventKind::Slam:
+            return "slam";
     }
     return "";
 }

@@ -32,13 +32,15 @@ enum class EventKind : std::uint8_t {
     TargetAppeared,  ///< index: target
     TargetGone,      ///< index: target
     LevelChanged,    ///< index: level
-    Stopped,      ///< a value was not finite: the exercise cannot go on; index: component, see componentName
-    NoteMade,     ///< by the trainer; text; value: 1 for a bookmark
-    Reported,     ///< by the trainee; index: ReportKind; place: of the own ship
-    TargetMoved,  ///< by the trainer, to another place; index: target
-    MotionsFreed  ///< for the classroom; index: bits of FreeMotion
+    Stopped,       ///< a value was not finite: the exercise cannot go on; index: component, see componentName
+    NoteMade,      ///< by the trainer; text; value: 1 for a bookmark
+    Reported,      ///< by the trainee; index: ReportKind; place: of the own ship
+    TargetMoved,   ///< by the trainer, to another place; index: target
+    MotionsFreed,  ///< for the classroom; index: bits of FreeMotion
+    GreenWater,    ///< comes over the bow; value: above the deck there, m
+    Slam           ///< of the forefoot; value: relative velocity, m/s
 };
-inline constexpr EventKind kLastEventKind = EventKind::MotionsFreed;
+inline constexpr EventKind kLastEventKind = EventKind::Slam;
 const char* eventKindName(EventKind kind);
 
 /// One thing that happened. What a kind uses is said above. The archive leaves the text out: recordings keep

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bridge/Pilot.h"
+#include "core/exercise/BowWatch.h"
 #include "core/exercise/Observe.h"
 #include "core/exercise/TickLoads.h"
 #include "core/motion/RungeKutta.h"
@@ -112,6 +113,7 @@ void moveShip(const World& world, State& state, std::size_t index, const TickEnv
     if (!loads.obstacles().empty()) {
         reportContacts(findTouches(loads.obstacles(), ship.hull, s.motion, current), state, index, events);
     }
+    watchBow(world, state, index, environment, events);
     reportGround(state, index,
                  underKeel(world.area, ship.keel, s.motion, environment.water.tide_m).clearance_m, events);
 }

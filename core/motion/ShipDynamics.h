@@ -49,6 +49,9 @@ public:
     /// mass and added mass times acceleration, less what comes of the turning of frame B.
     Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m = kDeepWater_m) const;
 
+    /// Whether the sea moves her: a hull, and a model that feels it.
+    bool feelsWaves() const { return m_sea.has_value(); }
+
     /// Mass that a blow from the side has to stop: ship and added mass in sway.
     double lateralMass_kg() const { return m_swayMass_kg; }
     double heaveStiffness_Npm() const { return m_springs.heaveStiffness; }

@@ -70,6 +70,8 @@ Seakeeping readSeakeeping(config::Reader& in) {
     s.pitchDampingRatio = in.number("pitchDampingRatio", damping);
     s.rollAddedInertiaRatio = in.number("rollAddedInertiaRatio", ratio);
     s.rollDampingRatio = in.number("rollDampingRatio", damping);
+    if (in.has("wettedHull"))
+        s.instantaneousHull = in.choice<bool>("wettedHull", {{"mean", false}, {"instantaneous", true}});
     s.provenance = readProvenance(in);
     in.rejectUnknownKeys();
     return s;

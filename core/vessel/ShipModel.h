@@ -48,6 +48,7 @@ struct Seakeeping {
     double pitchDampingRatio = 0.0;
     double rollAddedInertiaRatio = 0.0;
     double rollDampingRatio = 0.0;
+    bool instantaneousHull = false;  ///< restoring and undisturbed waves on the hull as she is wetted
     Provenance provenance;
 };
 Seakeeping readSeakeeping(config::Reader& in);

@@ -144,6 +144,10 @@ QString eventText(const core::World& world, const std::vector<core::TargetLayout
             return tr("%1 is put elsewhere").arg(target());
         case Kind::MotionsFreed:
             return motionsText(static_cast<std::uint8_t>(e.index));
+        case Kind::GreenWater:
+            return tr("Green water over the bow, %1 m").arg(e.value, 0, 'f', 1);
+        case Kind::Slam:
+            return tr("The bow slams, %1 m/s").arg(e.value, 0, 'f', 1);
         case Kind::AnchorOnBottom:
         case Kind::AnchorHome:
             return {};
