@@ -34,7 +34,10 @@ MmgParameters mmgInDepth(const MmgParameters& deep, const Hull& hull, double dep
     if (std::isinf(depth_m)) return deep;
     const ShallowFactors f = shallowFactors(hull, depth_m);
     MmgParameters p = deep;
-    p.inertia.mx *= f.mx;
+    // Of short beamy hulls the regression would carry along several times their own mass.
+    constexpr double kMostCarried = 0.5;
+    const double mass = hull.displacement_m3 / (0.5 * hull.lengthBp_m * hull.lengthBp_m * hull.draught_m);
+    p.inertia.mx = std::min(p.inertia.mx * f.mx, std::max(p.inertia.mx, kMostCarried * mass));
     p.inertia.my *= f.my;
     p.inertia.Jz *= f.Jz;
     MmgHull& k = p.hull;
