@@ -14,7 +14,9 @@ ShallowFactors shallowFactors(const Hull& hull, double depth_m) {
     const auto kijima = [&](double n) { return std::pow(1.0 - x, -n) - x; };
     f.Yv = kijima(0.40 * full);
     f.Nv = kijima(0.425 * full);
-    f.Nr = kijima(std::max(0.0, 1.5 - 7.14 * 2.0 * d / L));
+    // Of hulls deeper than 0.105 L the regression for Nr knows nothing: it goes with Nv there.
+    const double ofSwing = 1.5 - 7.14 * 2.0 * d / L;
+    f.Nr = ofSwing > 0.0 ? kijima(ofSwing) : f.Nv;
     const double F = H - 1.0;
     const double K0 = 1.0 + (0.0775 + (-0.0110 + 0.000068 / (F * F)) / F) / (F * F);
     const double finite = 2.2 * B / L - 0.080 * B / d;
