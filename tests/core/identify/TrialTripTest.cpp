@@ -55,7 +55,7 @@ TEST(TrialTripOfABadDocument, NamesAWrongSignOfTheRudderAndNoWayAstern) {
     EXPECT_EQ(
         problemsOf("ferry86",
                    {{"/propulsion/units/0/pitch/least", 0.0}, {"/propulsion/units/1/pitch/least", 0.0}}),
-        "ferry86.json: propulsion.telegraph_rpm.fullAstern is -227 and gives no way astern, 0 m/s ahead "
+        "ferry86.json: propulsion.telegraph_rpm.fullAstern is -241 and gives no way astern, 0 m/s ahead "
         "after a minute, expected thrust astern");
 }
 
