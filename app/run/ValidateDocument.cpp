@@ -6,6 +6,7 @@
 #include "core/base/Config.h"
 #include "core/exercise/OrderDocument.h"
 #include "core/exercise/Replay.h"
+#include "core/identify/TrialTrip.h"
 #include "core/sea/BuoySpectrum.h"
 #include "render/wall/Layout.h"
 
@@ -28,7 +29,7 @@ void checkModel(Problems& problems, const char* path, const core::Picture& pictu
 }
 
 Problems checkVessel(const std::string& name, const std::string& text) {
-    const auto vessel = core::loadVessel(name, text);
+    const auto vessel = core::loadSeaworthy(name, text);
     if (!vessel) return vessel.error();
     Problems problems(name);
     if (vessel->picture) checkModel(problems, "picture.model", *vessel->picture);

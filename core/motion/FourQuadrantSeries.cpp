@@ -211,8 +211,11 @@ StarCoefficients fourQuadrants(double beta_rad, double pitchRatio, double areaRa
     constexpr double kLeast = 0.5;  // pitch of the series
     if (pitchRatio >= kLeast) return ahead(beta_rad, pitchRatio, areaRatio);
     if (pitchRatio <= -kLeast) return astern(beta_rad, -pitchRatio, areaRatio);
+    // So mixed that blades without pitch push nothing at rest: hubs are set like that.
+    const double back = astern(0.0, kLeast, areaRatio).thrust, forth = ahead(0.0, kLeast, areaRatio).thrust;
+    const double even = -back / (forth - back), towards = pitchRatio / kLeast;
     return between(astern(beta_rad, kLeast, areaRatio), ahead(beta_rad, kLeast, areaRatio),
-                   0.5 + 0.5 * pitchRatio / kLeast);
+                   towards < 0.0 ? even * (1.0 + towards) : even + (1.0 - even) * towards);
 }
 
 }  // namespace sagara::core

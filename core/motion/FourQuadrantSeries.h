@@ -14,7 +14,8 @@ struct StarCoefficients {
 /// Fourier terms as published by Roddy, Hess and Faller (2006), NSWCCD-50-TR-2006/004, of van Lammeren, van
 /// Manen and Oosterveld (1969), Trans. SNAME 77. Read off a table of one degree; straight lines between
 /// pitches and areas, which are held beyond the ends. A pitch below 0 is the same blade turning the other way
-/// (beta -> pi - beta); between -0.5 and 0.5 the two are mixed: trend only there.
+/// (beta -> pi - beta); between -0.5 and 0.5 the two are mixed, no pitch giving no thrust at rest: trend only
+/// there.
 StarCoefficients fourQuadrants(double beta_rad, double pitchRatio, double areaRatio);
 
 }  // namespace sagara::core

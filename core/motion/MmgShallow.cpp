@@ -14,7 +14,9 @@ ShallowFactors shallowFactors(const Hull& hull, double depth_m) {
     const auto kijima = [&](double n) { return std::pow(1.0 - x, -n) - x; };
     f.Yv = kijima(0.40 * full);
     f.Nv = kijima(0.425 * full);
-    f.Nr = kijima(std::max(0.0, 1.5 - 7.14 * 2.0 * d / L));
+    // Of hulls deeper than 0.105 L the regression for Nr knows nothing: it goes with Nv there.
+    const double ofSwing = 1.5 - 7.14 * 2.0 * d / L;
+    f.Nr = ofSwing > 0.0 ? kijima(ofSwing) : f.Nv;
     const double F = H - 1.0;
     const double K0 = 1.0 + (0.0775 + (-0.0110 + 0.000068 / (F * F)) / F) / (F * F);
     const double finite = 2.2 * B / L - 0.080 * B / d;
@@ -34,7 +36,10 @@ MmgParameters mmgInDepth(const MmgParameters& deep, const Hull& hull, double dep
     if (std::isinf(depth_m)) return deep;
     const ShallowFactors f = shallowFactors(hull, depth_m);
     MmgParameters p = deep;
-    p.inertia.mx *= f.mx;
+    // Of short beamy hulls the regression would carry along several times their own mass.
+    constexpr double kMostCarried = 0.5;
+    const double mass = hull.displacement_m3 / (0.5 * hull.lengthBp_m * hull.lengthBp_m * hull.draught_m);
+    p.inertia.mx = std::min(p.inertia.mx * f.mx, std::max(p.inertia.mx, kMostCarried * mass));
     p.inertia.my *= f.my;
     p.inertia.Jz *= f.Jz;
     MmgHull& k = p.hull;

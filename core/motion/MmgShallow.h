@@ -23,7 +23,8 @@ struct ShallowFactors {
 ShallowFactors shallowFactors(const Hull& hull, double depth_m);
 
 /// The parameters a ship has in water of this depth; exactly those given in deep water (infinite depth).
-/// Terms of higher order in drift and cross flow follow the linear ones of their kind.
+/// Terms of higher order in drift and cross flow follow the linear ones of their kind. Water carried along in
+/// surge is held at half of the ship's mass, where the regression leaves the forms it was made for.
 MmgParameters mmgInDepth(const MmgParameters& deep, const Hull& hull, double depth_m);
 
 }  // namespace sagara::core

@@ -66,17 +66,18 @@ void bringTo(MmgParameters& p, const Hull& loaded, const Hull& ballast) {
 std::optional<Vessel> inBallast(const Vessel& loaded) {
     Vessel v = loaded;
     v.hull = ballastHull(loaded.hull);
-    for (const NamedModel& named : loaded.models) {
-        const auto* mmg = std::get_if<MmgModel>(&named.parameters);
+    v.models.clear();
+    for (NamedModel named : loaded.models) {
+        auto* const mmg = std::get_if<MmgModel>(&named.parameters);
         if (!mmg) continue;
-        MmgModel model = *mmg;
-        bringTo(model.parameters, loaded.hull, v.hull);
-        v.models = {named};
-        v.models.front().provenance = {Quality::Estimated, kSource};
-        v.models.front().parameters = model;
-        return v;
+        bringTo(mmg->parameters, loaded.hull, v.hull);
+        named.provenance = {Quality::Estimated, kSource};
+        v.models.push_back(std::move(named));
     }
-    return std::nullopt;
+    for (NamedModel& named : v.models)
+        if (named.holds && !v.model(named.holds->elsewhere)) named.holds.reset();
+    if (v.models.empty()) return std::nullopt;
+    return v;
 }
 
 }  // namespace sagara::core

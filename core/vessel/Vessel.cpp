@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/vessel/Plausible.h"
 #include "core/vessel/ReadPoint.h"
 
 namespace sagara::core {
@@ -91,6 +92,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
     if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);
+    if (in.sound()) checkPlausible(in, v);
     in.rejectUnknownKeys();
     return document.finish(std::move(v));
 }

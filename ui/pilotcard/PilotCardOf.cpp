@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/bridge/ShaftControl.h"
 #include "core/identify/TrialShip.h"
 
 namespace sagara::ui {
@@ -48,28 +49,78 @@ void fillParticulars(PilotCardData& card, const core::Vessel& v) {
     if (card.anchors.empty()) card.anchors.push_back({"Anchors", "none"});
 }
 
-void fillMachinery(PilotCardData& card, const core::Vessel& v, std::string_view model) {
+std::string percent(double share) { return shown(100.0 * share, 0, "%"); }
+
+void fillSteering(PilotCardData& card, const core::Vessel& v) {
     const core::Steering& s = v.steering;
     const double sweep_deg =
         s.limit_rad / core::kDegree_rad + std::min(30.0, s.limit_rad / core::kDegree_rad);
     const double rate_degps = s.rate_radps / core::kDegree_rad;
-    card.steering = {
-        {"Rudders", std::to_string(s.rudders.size()) + ", " + shown(s.areaEach_m2, 1, "m2 each")},
-        {"Maximum angle", shown(s.limit_rad / core::kDegree_rad, 0, "deg")},
-        {"Hard over to 30 deg other side", shown(sweep_deg / rate_degps, 0, "s, two pumps")},
-        {"", shown(2.0 * sweep_deg / rate_degps, 0, "s, one pump")}};
+    if (!s.rudders.empty())
+        card.steering.push_back(
+            {"Rudders", std::to_string(s.rudders.size()) + ", " + shown(s.areaEach_m2, 1, "m2 each")});
+    else
+        card.steering.push_back({"Rudders", "none: the wheel turns the drives"});
+    card.steering.push_back({"Maximum angle", shown(s.limit_rad / core::kDegree_rad, 0, "deg")});
+    card.steering.push_back(
+        {"Hard over to 30 deg other side", shown(sweep_deg / rate_degps, 0, "s, two pumps")});
+    card.steering.push_back({"", shown(2.0 * sweep_deg / rate_degps, 0, "s, one pump")});
+    for (const core::Thruster& t : v.thrusters.units)
+        card.steering.push_back({"Thruster, " + t.id, shown(1e-3 * t.thrust_N, 0, "kN")});
+}
+
+/// Thrust at rest with the order full astern over that with full ahead, engines allowing.
+double asternShare(const core::Vessel& v) {
     const core::PropulsionUnit& unit = v.propulsion.units.front();
-    card.propulsion = {{"Propellers", std::to_string(v.propulsion.units.size()) + ", fixed pitch"},
-                       {"Diameter", shown(unit.diameter_m, 2, "m")},
-                       {"Stand between ahead and astern", shown(unit.reversingTime_s, 0, "s")},
-                       {"Fastest change", shown(unit.shaftRate_rpsps / core::kRpm_rps, 1, "rpm/s")},
-                       {"Astern thrust", shown(100.0 * unit.asternThrustRatio, 0, "% of ahead")}};
+    if (!unit.openWater) return unit.asternThrustRatio;
+    const core::Propeller screw(unit);
+    const auto thrust_N = [&](core::TelegraphStep step) {
+        core::ShaftState lever;
+        lever.order_rps = v.propulsion.telegraph_rps[static_cast<std::size_t>(step)];
+        const core::ShaftDemand d = core::demandOf(unit, lever);
+        return screw.force(d.speed_rps, d.pitch, 0.0, v.hull.waterDensity_kgpm3).thrust_N;
+    };
+    return -thrust_N(core::TelegraphStep::FullAstern) / thrust_N(core::TelegraphStep::FullAhead);
+}
+
+std::string kindOf(const core::PropulsionUnit& unit) {
+    const std::string blades = unit.pitch ? "controllable pitch" : "fixed pitch";
+    return unit.azimuth ? blades + ", azimuth drives" : blades;
+}
+
+void fillPropulsion(PilotCardData& card, const core::Vessel& v) {
+    const core::PropulsionUnit& unit = v.propulsion.units.front();
+    card.propulsion = {{"Propellers", std::to_string(v.propulsion.units.size()) + ", " + kindOf(unit)},
+                       {"Diameter", shown(unit.diameter_m, 2, "m")}};
+    if (const auto& engine = unit.engine) {
+        const double power_W = core::kTwoPi * engine->torque_Nm * engine->full_rps;
+        card.propulsion.push_back({"Engine power, each shaft", shown(1e-3 * power_W, 0, "kW")});
+        if (engine->startAir)
+            card.propulsion.push_back({"Starts in the bottles", shown(engine->startAir->starts, 0)});
+    }
+    if (unit.pitch)
+        card.propulsion.push_back({"Pitch, full ahead to full astern",
+                                   shown((1.0 - unit.pitch->least) / unit.pitch->rate_perS, 0, "s")});
+    else
+        card.propulsion.push_back({"Stand between ahead and astern", shown(unit.reversingTime_s, 0, "s")});
+    if (unit.azimuth)
+        card.propulsion.push_back(
+            {"Drives turn 180 deg in", shown(core::kPi / unit.azimuth->rate_radps, 0, "s")});
+    card.propulsion.push_back({"Fastest change", shown(unit.shaftRate_rpsps / core::kRpm_rps, 1, "rpm/s")});
+    card.propulsion.push_back({"Astern thrust", percent(asternShare(v)).append(" of ahead")});
+}
+
+/// Shaft speeds as the indicator shows them; where blades turn, their pitch with the order.
+void fillTelegraph(PilotCardData& card, const core::Vessel& v, std::string_view model) {
+    const core::PropulsionUnit& unit = v.propulsion.units.front();
     const auto speeds = core::telegraphSpeeds_mps(v, model);
     for (std::size_t i = core::kTelegraphSteps; i-- > 0;) {
-        const auto step = static_cast<core::TelegraphStep>(i);
-        card.telegraph.push_back({wordsOf(core::telegraphStepName(step)),
-                                  v.propulsion.telegraph_rps[i] / core::kRpm_rps,
-                                  speeds[i] / core::kKnot_mps});
+        core::ShaftState lever;
+        lever.order_rps = v.propulsion.telegraph_rps[i];
+        const core::ShaftDemand demand = core::demandOf(unit, lever);
+        std::string order = wordsOf(core::telegraphStepName(static_cast<core::TelegraphStep>(i)));
+        if (unit.pitch) order += ", pitch " + percent(demand.pitch);
+        card.telegraph.push_back({order, demand.speed_rps / core::kRpm_rps, speeds[i] / core::kKnot_mps});
     }
 }
 
@@ -138,7 +189,9 @@ PilotCardData pilotCardOf(const core::Vessel& v, const core::StandardTrials& tri
     card.date = date;
     card.length_m = v.hull.lengthBp_m;
     fillParticulars(card, v);
-    fillMachinery(card, v, in.model);
+    fillSteering(card, v);
+    fillPropulsion(card, v);
+    fillTelegraph(card, v, in.model);
     card.conditions.push_back(conditionOf(v, trials, in));
     for (const core::ImoCheck& check : core::imoChecks(trials)) {
         const char* unit = check.unit == "L" ? "L" : "deg";

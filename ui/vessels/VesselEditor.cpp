@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <nlohmann/json.hpp>
 
-#include "core/vessel/Vessel.h"
+#include "core/identify/TrialTrip.h"
 #include "ui/vessels/DocumentTree.h"
 
 namespace sagara::ui {
@@ -147,7 +147,7 @@ void VesselEditor::go(std::ptrdiff_t steps) {
 }
 
 void VesselEditor::check() {
-    const auto vessel = core::loadVessel("vessel", m_tree->text());
+    const auto vessel = core::loadSeaworthy("vessel", m_tree->text());
     const core::config::Problems problems = vessel ? core::config::Problems() : vessel.error();
     m_problemCount = problems.size();
     m_tree->setProblems(problems);
@@ -191,7 +191,7 @@ void VesselEditor::showHint() {
 }
 
 void VesselEditor::accept() {
-    const auto vessel = core::loadVessel("vessel", m_tree->text());
+    const auto vessel = core::loadSeaworthy("vessel", m_tree->text());
     if (!vessel) return;
     if (const auto trouble = m_save(vessel->id, vessel->name, m_tree->text())) {
         if (!trouble->empty()) QMessageBox::warning(this, windowTitle(), QString::fromStdString(*trouble));

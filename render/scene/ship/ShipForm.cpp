@@ -11,6 +11,7 @@ ShipStyle styleOf(const std::string& type) {
     if (has("tanker")) return ShipStyle::Tanker;
     if (has("container")) return ShipStyle::Container;
     if (has("ferry")) return ShipStyle::Ferry;
+    if (has("motor yacht")) return ShipStyle::FastCraft;  // no sails
     if (has("yacht")) return ShipStyle::Yacht;
     if (has("tug")) return ShipStyle::Tug;
     if (has("fish")) return ShipStyle::Fishing;

@@ -2,6 +2,7 @@
 
 #include "SimTest.h"
 #include "Sqlite.h"
+#include "tests/support/ShippedVessels.h"
 
 namespace sagara::run::test {
 namespace {
@@ -23,7 +24,7 @@ TEST_F(ListsAndBackup, WhatIsShippedIsThereAtTheFirstStart) {
               (std::vector<std::string>{"basic-navigation", "heavy-weather"}));
     const std::string vessels = simDone({"list", "vessels"}).out;
     const std::vector<std::string> ids = firstWords(vessels);
-    for (const char* id : {"patrol51", "esso-osaka", "mariner", "opv48", "sr108", "tanker190k"})
+    for (const std::string& id : sagara::test::shippedVessels())
         EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
     EXPECT_NE(vessels.find("51.5 m patrol vessel"), std::string::npos);
     EXPECT_NE(vessels.find("shipped"), std::string::npos);

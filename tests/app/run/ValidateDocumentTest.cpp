@@ -117,6 +117,18 @@ TEST_F(ValidateDocument, AVesselAnAreaAndARubricAreChecked) {
     expectOneBegins(problemsOf(rubric + "nowhere\"}"), "scenario is \"nowhere\", expected a scenario in the");
 }
 
+TEST_F(ValidateDocument, AVesselIsTakenOnATrialTrip) {
+    const std::string ferry = sagara::test::readAsset("vessels/ferry86.json");
+    EXPECT_EQ(
+        problemsOf(with(ferry, "/hull/metacentricHeight_m", "17.4")),
+        (std::vector<std::string>{"hull.metacentricHeight_m is 17.4, expected 0.05 to 8.62 m, or the centre "
+                                  "of gravity is below the keel"}));
+    EXPECT_EQ(
+        problemsOf(with(ferry, "/propulsion/units/1/engine/power_kW", "900")),
+        (std::vector<std::string>{"propulsion.units[1].engine gives 32.1 kN m, enough for 181 rpm and 15 "
+                                  "kn, expected torque for full ahead, 267 rpm"}));
+}
+
 TEST_F(ValidateDocument, CommandsAreCheckedAgainstTheirScenario) {
     const std::string text = sagara::test::readAsset("commands/basic-navigation-bad-run.json");
     expectOneBegins(problemsOf(with(text, "/commands/3/order", "\"dance\"")),

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
 #include "../run/SimTest.h"
+#include "tests/support/ShippedVessels.h"
 
 namespace sagara::run::test {
 namespace {
@@ -78,6 +80,26 @@ TEST_F(Tools, EveryValidationCaseIsASoundDocument) {
         const Outcome outcome =
             sim({"validate", "--case", entry.path().stem().string(), "--out", at("reports")});
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+}
+
+TEST_F(Tools, EveryShippedVesselIsValidatedAndWithinTheLimits) {
+    const auto lines = linesFrom({"validate", "--out", at("reports")});
+    for (const std::string& vessel : sagara::test::shippedVessels()) {
+        const auto ofHer = [&](const std::string& line) { return line.rfind(vessel + "-", 0) == 0; };
+        EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), ofHer)) << vessel;
+    }
+    for (const std::string& line : lines) {
+        if (line.find(",trend,") != std::string::npos) {
+            EXPECT_EQ(line.substr(line.rfind(',')), ",ok") << line;
+        }
+    }
+}
+
+TEST_F(Tools, PilotCardTakesDrivesPitchAndTwoModels) {
+    for (const char* vessel : {"tug30", "ferry86", "rib8"}) {
+        simDone({"pilot-card", "--vessel", vessel, "--pdf", at("card.pdf")});
+        EXPECT_EQ(read("card.pdf").substr(0, 4), "%PDF") << vessel;
     }
 }
 

@@ -24,6 +24,28 @@ TEST(HullForm, WhatIsNullIsEstimatedAndTold) {
     EXPECT_EQ(form->notes.size(), 8u);
 }
 
+/// So `rao --vessel` gives what `rao --hull` of the reference gives; 5415 floats in sea water as a vessel.
+TEST(HullForm, OfAShippedVesselIsThatOfItsReference) {
+    for (const std::string name : {"s175", "dtmb5415"}) {
+        const HullForm reference = referenceHull(name);
+        const auto vessel = loadVessel(name, test::readAsset("vessels/" + name + ".json"));
+        ASSERT_TRUE(vessel) << vessel.error().text();
+        const HullForm form = hullFormOf(vessel->hull);
+        ASSERT_EQ(form.stations.size(), reference.stations.size());
+        for (std::size_t i = 0; i < form.stations.size(); ++i) {
+            EXPECT_NEAR(form.stations[i].area_m2, reference.stations[i].area_m2, 1e-3);
+            EXPECT_NEAR(form.stations[i].centroid_m, reference.stations[i].centroid_m, 1e-3);
+        }
+        const double mass_m3 = reference.mass_kg / reference.waterDensity_kgpm3;
+        EXPECT_NEAR(form.mass_kg / form.waterDensity_kgpm3, mass_m3, 2e-4 * mass_m3);
+        EXPECT_NEAR(form.gravityHeight_m, reference.gravityHeight_m, 1e-3);
+        EXPECT_NEAR(form.gravityForward_m, reference.gravityForward_m, 0.002 * form.lengthBp_m);
+        EXPECT_NEAR(form.rollGyradius_m, reference.rollGyradius_m, 1e-3);
+        EXPECT_NEAR(form.pitchGyradius_m, reference.pitchGyradius_m, 1e-3);
+        EXPECT_EQ(form.bilgeKeelLength_m, reference.bilgeKeelLength_m);
+    }
+}
+
 TEST(HullForm, OffsetsOfABoxAreABox) {
     const auto form = readHullForm("box", R"({"length_pp_m": 100, "breadth_m": 20, "draught_m": 5,
         "waterlines_m": [0, 2, 4, 8], "offsets": [[-50, 10, 10, 10, 10], [-25, 10, 10, 10, 10], [0, 10, 10, 10, 10],

@@ -31,6 +31,14 @@ TEST(Ballast, OfKvlcc2FloatsHigherLighterAndStiffer) {
     EXPECT_LT(after.hull.R0 * ballast->hull.draught_m, before.hull.R0 * loaded.hull.draught_m);
 }
 
+TEST(Ballast, OfAVesselWithTwoMmgModelsHasBoth) {
+    const auto ballast = inBallast(shipped("rib8"));
+    ASSERT_TRUE(ballast);
+    ASSERT_EQ(ballast->models.size(), 2u);
+    ASSERT_TRUE(ballast->models[0].holds);
+    EXPECT_TRUE(ballast->model(ballast->models[0].holds->elsewhere));
+}
+
 TEST(Ballast, NeedsAnMmgModel) {
     Vessel patrol = shipped("patrol51");
     std::erase_if(patrol.models,

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
 #include "core/base/Units.h"
 #include "tests/support/Assets.h"
+#include "tests/support/ShippedVessels.h"
 
 namespace sagara::core {
 namespace {
@@ -25,10 +25,9 @@ std::string problemsOf(const std::string& text) {
     return loaded ? "" : loaded.error().text();
 }
 
-class ShippedVessel : public ::testing::TestWithParam<const char*> {};
+class ShippedVessel : public ::testing::TestWithParam<std::string> {};
 TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
-    const auto vessel =
-        loadVessel(GetParam(), test::readAsset(std::string("vessels/") + GetParam() + ".json"));
+    const auto vessel = loadVessel(GetParam(), test::readAsset("vessels/" + GetParam() + ".json"));
     ASSERT_TRUE(vessel) << vessel.error().text();
     EXPECT_EQ(vessel->id, GetParam());
     for (const Provenance* p :
@@ -38,12 +37,16 @@ TEST_P(ShippedVessel, LoadsAndNamesASourceForEveryGroup) {
         EXPECT_GT(p->source.size(), 10u);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel,
-                         ::testing::Values("patrol51", "esso-osaka", "kvlcc2", "kvlcc2-l7", "mariner",
-                                           "opv48", "sr108", "tanker190k"),
-                         [](const auto& row) {
-                             return std::regex_replace(std::string(row.param), std::regex("-"), "_");
-                         });
+INSTANTIATE_TEST_SUITE_P(Assets, ShippedVessel, ::testing::ValuesIn(test::shippedVessels()),
+                         [](const auto& row) { return test::testName(row.param); });
+
+TEST(ShippedVessels, AreThoseThatWerePromisedAndTheirLike) {
+    const std::vector<std::string> ids = test::shippedVessels();
+    for (const char* id :
+         {"patrol51", "opv48", "esso-osaka", "kvlcc2", "kvlcc2-l7", "s175", "dtmb5415", "mariner", "sr108",
+          "tanker190k", "ferry86", "trawler27", "tug30", "rib8", "sail12", "yacht20"})
+        EXPECT_TRUE(std::binary_search(ids.begin(), ids.end(), id)) << id;
+}
 
 TEST(Vessel, UnitsAreConvertedOnTheWayIn) {
     const Vessel v = loadVessel("patrol51", patrol()).value();
