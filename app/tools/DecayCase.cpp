@@ -54,7 +54,7 @@ ValidationOutcome runDecayCase(const ValidationContext& context, core::config::R
     const auto published = ReferenceTable::read(context.folder / "reference" / c.file);
     if (!published) return outcome.trouble = published.error(), outcome;
     const core::Trial trial = runOf(*vessel, c, *published);
-    report::XyPlot plot{vessel->name + ": " + trial.title, "time, s", "roll, deg", false, {}};
+    report::XyPlot plot{vessel->name + ": " + trial.title, "time, s", "roll, deg", false, {}, {}};
     report::XyPlot::Series ours{"Sagara", false, {}}, theirs{"published", true, {}};
     double worst_deg = 0.0;
     for (std::size_t i = 0; i < std::min(trial.samples.size(), published->rows()); ++i) {

@@ -8,11 +8,11 @@
 
 namespace sagara::report {
 
-/// Lines and points over two axes. Plain values.
+/// Lines and points over two axes. Plain values. Lines differ by colour and dashes, points by their shape.
 struct XyPlot {
     struct Series {
         std::string name;
-        bool points = false;  ///< measured or published: open circles; else a line
+        bool points = false;  ///< measured or published; else a line
         std::vector<QPointF> at;
     };
     std::string title;
@@ -20,9 +20,10 @@ struct XyPlot {
     std::string yTitle;
     bool sameScale = false;  ///< of both axes: tracks
     std::vector<Series> series;
+    std::string note;  ///< below the key
 };
 
-/// Title, frame with ticks, lines, points (thinned where they would touch) and a key below.
+/// Title, frame with ticks, lines, points (thinned where they would touch), a key and a note below.
 void drawXyPlot(QPainter& painter, const XyPlot& plot, const QRectF& area);
 
 }  // namespace sagara::report
