@@ -26,14 +26,17 @@ struct ValidationRow {
 /// What came of a case.
 struct ValidationOutcome {
     std::vector<ValidationRow> rows;
-    std::vector<report::XyPlot> plots;
-    std::string trouble;  ///< why it could not be run: a vessel that is not there
+    std::vector<report::XyPlot> plots;  ///< where the title is empty: that of the case
+    std::string trouble;                ///< why it could not be run: a vessel that is not there
 };
 
 /// Where a case finds ships and published tables.
 struct ValidationContext {
     const core::DocumentSource& documents;
-    std::filesystem::path folder;  ///< of the cases; tables are in its folder `reference`
+    std::filesystem::path folder;  ///< of the cases
+
+    /// A published table or a hull file.
+    std::filesystem::path reference(const std::string& name) const { return folder / "reference" / name; }
 };
 
 /// A kind of case: reads its members of the document and, when they are sound, runs it. Members that all
@@ -42,6 +45,15 @@ using RunCase = ValidationOutcome (*)(const ValidationContext& context, core::co
 
 // One line here and one in Validation.cpp for each kind.
 ValidationOutcome runDecayCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runHydrostaticsCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runLongWavesCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runManoeuvreCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runPropulsionCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runRaoCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runRollCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runSquatCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runTimeDomainCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runWavesCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runWindCase(const ValidationContext& context, core::config::Reader& in);
 
 }  // namespace sagara::tools

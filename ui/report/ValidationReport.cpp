@@ -33,11 +33,11 @@ std::vector<Block> summary(const ValidationData& data) {
 }
 
 std::vector<Block> caseTable(const ValidationData& data) {
-    Table table({{tr("Case"), 62.0},
-                 {tr("Quantity"), 37.0},
-                 {tr("Measured"), 18.0, Qt::AlignRight},
-                 {tr("Reference"), 18.0, Qt::AlignRight},
-                 {tr("Error"), 15.0, Qt::AlignRight},
+    Table table({{tr("Case"), 57.0},
+                 {tr("Quantity"), 41.0},
+                 {tr("Measured"), 17.0, Qt::AlignRight},
+                 {tr("Reference"), 17.0, Qt::AlignRight},
+                 {tr("Error"), 18.0, Qt::AlignRight},
                  {tr("Tolerance"), 15.0, Qt::AlignRight},
                  {tr("Result"), 11.0, Qt::AlignRight}});
     std::string before;
@@ -77,7 +77,8 @@ std::vector<Block> plotBlocks(const ValidationData& data) {
 
 std::vector<Block> sourceBlocks(const ValidationData& data) {
     Table table({{tr("Case"), 62.0}, {tr("Reference"), page::kTextWidth_mm - 62.0}});
-    for (const auto& source : data.sources) table.addRow({{fromStd(source.title)}, {fromStd(source.source)}});
+    for (const auto& source : data.sources)
+        table.addRow({{fromStd(source.title)}, {fromStd(source.source), fromStd(source.note)}});
     return table.takeBlocks();
 }
 

@@ -22,6 +22,7 @@ struct ValidationData {
     struct Source {
         std::string title;
         std::string source;
+        std::string note;  ///< where the case is claimed, and why not elsewhere
     };
     std::string date;
     std::string program;  ///< which build
