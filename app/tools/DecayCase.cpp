@@ -54,7 +54,9 @@ ValidationOutcome runDecayCase(const ValidationContext& context, core::config::R
     const auto published = ReferenceTable::read(context.reference(c.file));
     if (!published) return outcome.trouble = published.error(), outcome;
     const core::Trial trial = runOf(*vessel, c, *published);
-    report::XyPlot plot{{}, "time, s", "roll, deg", false, {}, {}};
+    report::XyPlot plot;
+    plot.xTitle = "time, s";
+    plot.yTitle = "roll, deg";
     report::XyPlot::Series ours{"Sagara", false, {}}, theirs{"published", true, {}};
     double worst_deg = 0.0;
     for (std::size_t i = 0; i < std::min(trial.samples.size(), published->rows()); ++i) {

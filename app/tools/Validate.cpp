@@ -30,9 +30,16 @@ std::string shown(double value, bool share) {
     return share ? number + " %" : number;
 }
 
+std::string toleranceOf(const ValidationRow& row) {
+    if (row.atMost) return "at most";
+    return row.share ? fmt::format("{:.3g} %", 100.0 * row.tolerance) : fmt::format("{:.3g}", row.tolerance);
+}
+
 /// Names of measures as people write them.
 std::string spaced(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
+    for (const auto& [plain, raised] : {std::pair(", m2", ", m²"), std::pair(", m3", ", m³")})
+        if (name.ends_with(plain)) name.replace(name.size() - 4, 4, raised);
     return name;
 }
 
@@ -45,8 +52,8 @@ std::string csvRow(const ValidationResult& r, const ValidationRow& row) {
 void addTo(report::ValidationData& data, const ValidationResult& r) {
     for (const ValidationRow& row : r.outcome.rows) {
         data.rows.push_back({r.title, r.evidence, spaced(row.quantity), shown(row.measured),
-                             shown(row.reference), shown(row.error(), row.share),
-                             row.atMost ? "at most" : shown(row.tolerance, row.share), row.ok()});
+                             shown(row.reference), shown(row.error(), row.share), toleranceOf(row),
+                             row.ok()});
     }
     if (!r.outcome.trouble.empty())
         data.rows.push_back({r.title, r.evidence, r.outcome.trouble, "", "", "", "", false});
@@ -54,6 +61,7 @@ void addTo(report::ValidationData& data, const ValidationResult& r) {
         if (plot.title.empty()) plot.title = r.title;
         data.plots.push_back(std::move(plot));
     }
+    for (const report::ValidationSection& section : r.outcome.sections) data.sections.push_back(section);
     data.sources.push_back({r.title, r.source, r.note});
 }
 

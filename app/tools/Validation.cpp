@@ -36,6 +36,7 @@ core::Result<ValidationResult, core::config::Problems> runValidation(const Valid
                                                             {"hydrostatics", runHydrostaticsCase},
                                                             {"longWaves", runLongWavesCase},
                                                             {"manoeuvre", runManoeuvreCase},
+                                                            {"models", runModelsCase},
                                                             {"propulsion", runPropulsionCase},
                                                             {"rao", runRaoCase},
                                                             {"roll", runRollCase},

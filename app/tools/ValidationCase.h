@@ -6,7 +6,7 @@
 
 #include "core/base/Config.h"
 #include "core/exercise/Documents.h"
-#include "ui/report/XyPlot.h"
+#include "ui/report/ValidationReport.h"
 
 namespace sagara::tools {
 
@@ -27,7 +27,8 @@ struct ValidationRow {
 struct ValidationOutcome {
     std::vector<ValidationRow> rows;
     std::vector<report::XyPlot> plots;  ///< where the title is empty: that of the case
-    std::string trouble;                ///< why it could not be run: a vessel that is not there
+    std::vector<report::ValidationSection> sections;
+    std::string trouble;  ///< why it could not be run: a vessel that is not there
 };
 
 /// Where a case finds ships and published tables.
@@ -48,6 +49,7 @@ ValidationOutcome runDecayCase(const ValidationContext& context, core::config::R
 ValidationOutcome runHydrostaticsCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runLongWavesCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runManoeuvreCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runModelsCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runPropulsionCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runRaoCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runRollCase(const ValidationContext& context, core::config::Reader& in);

@@ -27,9 +27,9 @@ const std::array<LineLook, 8> kLooks{{{colour::kRoute, {}},
                                       {colour::kHostile, {5.0, 2.0}},
                                       {colour::kPassed, {2.0, 1.5}},
                                       {QColor(0xb4, 0x5f, 0x06), {7.0, 2.0, 1.5, 2.0}},
-                                      {colour::kInk, {}},
-                                      {QColor(0x00, 0x80, 0x8a), {9.0, 3.0}},
                                       {colour::kFailed, {1.0, 1.5}},
+                                      {QColor(0x00, 0x80, 0x8a), {9.0, 3.0}},
+                                      {colour::kInk, {}},
                                       {QColor(0x6a, 0x4c, 0x93), {4.0, 1.5, 1.0, 1.5, 1.0, 1.5}}}};
 
 QPen penOf(const LineLook& look, double width_mm) {
@@ -72,11 +72,11 @@ struct Frame {
 
 bool finite(QPointF p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
-Axis axisOf(const XyPlot& plot, double (*valueOf)(QPointF)) {
+Axis axisOf(const XyPlot& plot, double (*valueOf)(QPointF), std::optional<double> cutAt = {}) {
     std::vector<double> values;
     for (const auto& series : plot.series)
         for (const QPointF p : series.at)
-            if (finite(p)) values.push_back(valueOf(p));
+            if (finite(p)) values.push_back(std::min(valueOf(p), cutAt.value_or(valueOf(p))));
     if (values.empty()) return {};
     // What is nearly nothing below zero asks for no tick of its own.
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -93,7 +93,9 @@ Axis axisOf(const XyPlot& plot, double (*valueOf)(QPointF)) {
 
 Frame frameFor(const XyPlot& plot, const QRectF& area, double below_mm) {
     Frame frame{area.adjusted(kLeft_mm, kTop_mm, -2.0, -below_mm),
-                axisOf(plot, [](QPointF p) { return p.x(); }), axisOf(plot, [](QPointF p) { return p.y(); })};
+                axisOf(plot, [](QPointF p) { return p.x(); }),
+                axisOf(
+                    plot, [](QPointF p) { return p.y(); }, plot.yMost)};
     if (!plot.sameScale) return frame;
     const double perMm = std::max((frame.x.high - frame.x.low) / frame.area.width(),
                                   (frame.y.high - frame.y.low) / frame.area.height());
@@ -158,7 +160,8 @@ Key keyOf(const XyPlot& plot, double width) {
     for (const XyPlot::Series& series : plot.series) {
         const double wide_mm = kSample_mm + kSampleGap_mm + width_mm(fromStd(series.name), kSmallStyle);
         if (at.x() > 0.0 && at.x() + wide_mm > width) at = {0.0, at.y() + kKeyRow_mm};
-        key.entries.push_back({series.points ? points++ : lines++, at});
+        const std::size_t place = series.points ? points++ : lines++;
+        key.entries.push_back({series.look.value_or(place), at});
         at.rx() += wide_mm + kEntryGap_mm;
     }
     key.height_mm = at.y() + kKeyRow_mm;
@@ -192,8 +195,11 @@ void drawXyPlot(QPainter& painter, const XyPlot& plot, const QRectF& area) {
     drawText(painter, {area.left(), area.top() + 0.5}, Qt::AlignLeft,
              elided(fromStd(plot.title), kTitleStyle, area.width()), kTitleStyle);
     drawAxes(painter, plot, f);
+    painter.save();
+    if (plot.yMost) painter.setClipRect(f.area, Qt::IntersectClip);
     for (std::size_t i = 0; i < plot.series.size(); ++i)
         drawSeries(painter, plot.series[i], f, key.entries[i].kind);
+    painter.restore();
     const QPointF below(area.left() + kLeft_mm, f.area.bottom() + kTicks_mm);
     drawKey(painter, plot, key, below);
     if (note_mm > 0.0) note.draw(painter, below + QPointF(0.0, key.height_mm + 0.5));
