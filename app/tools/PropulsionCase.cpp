@@ -19,9 +19,8 @@ void addThrust(ValidationOutcome& outcome, const PropulsionCase& c, const core::
     const auto thrustAt = [&](double J) { return k[0] + J * (k[1] + J * k[2]); };
     RelativeErrors errors;
     report::XyPlot plot;
-    plot.note = vessel.name + ": thrust";
     plot.xTitle = "advance ratio J";
-    plot.yTitle = "KT";
+    plot.yTitle = "thrust coefficient KT";
     plot.series = {{"Sagara", false, {}}, {"published", true, {}}};
     for (int i = 0; i <= 50; ++i) plot.series[0].at.emplace_back(0.02 * i, thrustAt(0.02 * i));
     for (std::size_t row = 0; row < table.rows(); ++row) {

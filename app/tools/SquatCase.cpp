@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/tools/CaseRows.h"
@@ -32,7 +34,7 @@ double squatOf(const ReferenceTable& table, std::size_t row, core::SquatFormula 
 /// The ship in the first row at that depth.
 report::XyPlot plotOf(const ReferenceTable& table) {
     report::XyPlot plot;
-    plot.note = table.text("ship", 0) + " in " + table.text("h", 0) + " m";
+    plot.note = fmt::format("Of: {} in {} m.", table.text("ship", 0), table.text("h", 0));
     plot.xTitle = "speed, kn";
     plot.yTitle = "sinkage, m";
     report::XyPlot::Series published{"published", true, {}};

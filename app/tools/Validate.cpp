@@ -59,6 +59,7 @@ void addTo(report::ValidationData& data, const ValidationResult& r) {
         data.rows.push_back({r.title, r.evidence, r.outcome.trouble, "", "", "", "", false});
     for (report::XyPlot plot : r.outcome.plots) {
         if (plot.title.empty()) plot.title = r.title;
+        plot.note = spaced(plot.note);
         data.plots.push_back(std::move(plot));
     }
     for (const report::ValidationSection& section : r.outcome.sections) data.sections.push_back(section);

@@ -34,6 +34,7 @@ core::Result<ValidationResult, core::config::Problems> runValidation(const Valid
     result.note = in.textOr("note", "");
     if (const auto run = in.choiceIfKnown<RunCase>("kind", {{"decay", runDecayCase},
                                                             {"hydrostatics", runHydrostaticsCase},
+                                                            {"ikeda", runIkedaCase},
                                                             {"longWaves", runLongWavesCase},
                                                             {"manoeuvre", runManoeuvreCase},
                                                             {"models", runModelsCase},
@@ -42,6 +43,7 @@ core::Result<ValidationResult, core::config::Problems> runValidation(const Valid
                                                             {"roll", runRollCase},
                                                             {"squat", runSquatCase},
                                                             {"timeDomain", runTimeDomainCase},
+                                                            {"transfer", runTransferCase},
                                                             {"waves", runWavesCase},
                                                             {"wind", runWindCase}}))
         result.outcome = (*run)(context, in);

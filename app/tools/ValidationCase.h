@@ -47,6 +47,7 @@ using RunCase = ValidationOutcome (*)(const ValidationContext& context, core::co
 // One line here and one in Validation.cpp for each kind.
 ValidationOutcome runDecayCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runHydrostaticsCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runIkedaCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runLongWavesCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runManoeuvreCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runModelsCase(const ValidationContext& context, core::config::Reader& in);
@@ -55,6 +56,7 @@ ValidationOutcome runRaoCase(const ValidationContext& context, core::config::Rea
 ValidationOutcome runRollCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runSquatCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runTimeDomainCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runTransferCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runWavesCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runWindCase(const ValidationContext& context, core::config::Reader& in);
 

@@ -23,14 +23,14 @@ void addDispersion(ValidationOutcome& outcome, const ReferenceTable& table, doub
     report::XyPlot plot;
     plot.xTitle = "period, s";
     plot.yTitle = "wavelength, m";
-    plot.series.push_back({"published", true, {}});
+    report::XyPlot::Series published{"published", true, {}};
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const double omega_radps = core::kTwoPi / table.at("T", row);
         const double k = core::waveNumber_radpm(omega_radps, depthOf(table, row), kTableGravity_mps2);
         number.add(k, table.at("k", row));
         group.add(core::groupSpeed_mps(k, depthOf(table, row), kTableGravity_mps2),
                   table.at("group_speed", row));
-        plot.series.front().at.emplace_back(table.at("T", row), table.at("wavelength", row));
+        published.at.emplace_back(table.at("T", row), table.at("wavelength", row));
     }
     for (const double depth_m : {core::kDeep_m, 30.0, 15.0, 8.0}) {
         report::XyPlot::Series line{
@@ -41,6 +41,7 @@ void addDispersion(ValidationOutcome& outcome, const ReferenceTable& table, doub
                 core::kTwoPi / core::waveNumber_radpm(core::kTwoPi / period_s, depth_m, kTableGravity_mps2));
         plot.series.push_back(std::move(line));
     }
+    plot.series.push_back(std::move(published));
     outcome.rows = {largestErrorRow("wave number", number, share),
                     largestErrorRow("group speed", group, share)};
     outcome.plots.push_back(std::move(plot));
@@ -76,7 +77,7 @@ void addSpectra(ValidationOutcome& outcome, const ReferenceTable& table, double 
     std::array<RelativeErrors, 3> moments;
     report::XyPlot plot;
     plot.xTitle = "frequency, rad/s";
-    plot.yTitle = "S, m2 s";
+    plot.yTitle = "S, m² s";
     report::XyPlot::Series published{"published", true, {}};
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const double peak_radps = core::kTwoPi / table.at("Tp", row), step = 0.001 * peak_radps;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/tools/CaseRows.h"
@@ -52,7 +54,7 @@ report::XyPlot plotOf(const ReferenceTable& table, ReadWindRow read, bool isherw
     const WindRow ship = read(table, 0);
     const std::string name = table.text(isherwood ? "ship" : "type", 0);
     report::XyPlot plot;
-    plot.note = name;
+    plot.note = fmt::format("Of: {}.", name);
     plot.xTitle = "wind off the bow, deg";
     plot.yTitle = "coefficient";
     for (const Coefficient& c : kCoefficients) {

@@ -18,7 +18,7 @@ void add(std::vector<Block>& to, std::vector<Block> more) {
 std::vector<Block> summary(const ValidationData& data) {
     const auto ok = std::count_if(data.rows.begin(), data.rows.end(), [](const auto& r) { return r.ok; });
     std::vector<Block> blocks;
-    blocks.push_back(paragraph(tr("Ships against published results"), {15.0, colour::kInk, true},
+    blocks.push_back(paragraph(tr("Sagara against published results"), {15.0, colour::kInk, true},
                                page::kTextWidth_mm, 0.0, 2));
     blocks.push_back(paragraph(tr("%1 of %2 within tolerance · %3 · %4")
                                    .arg(ok)
