@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/tools/CaseRows.h"
-#include "app/tools/ModelsTables.h"
+#include "app/tools/ModelsFigures.h"
 #include "app/tools/VesselChoice.h"
 #include "core/base/Units.h"
 #include "core/seakeeping/Response.h"

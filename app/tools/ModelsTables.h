@@ -22,13 +22,4 @@ report::SectionTable tableOfFreedoms(const std::vector<ModelTrials>& models);
 report::SectionTable tableOfFeatures(const std::vector<ModelTrials>& models);
 report::SectionTable tableOfResults(const std::vector<ModelTrials>& models, const TrialMarks& marks);
 
-// Its figures.
-report::XyPlot turnFigure(const std::vector<ModelTrials>& models, core::Trial ModelTrials::*turn,
-                          const TrialMarks& marks);
-report::XyPlot zigzagFigure(const std::vector<ModelTrials>& models);
-report::XyPlot speedFigure(const std::vector<ModelTrials>& models);
-/// Of heave and pitch in head waves, of roll in beam waves. `strip`: the same hull by strip theory.
-report::XyPlot responseFigure(const std::vector<ModelTrials>& models, double WaveAnswer::*motion, bool beam,
-                              const report::XyPlot::Series& strip);
-
 }  // namespace sagara::tools

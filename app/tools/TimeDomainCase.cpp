@@ -31,6 +31,52 @@ TimeDomainCase readCase(core::config::Reader& in) {
     return c;
 }
 
+constexpr std::array<std::size_t, 3> kDrawn{2, 4, 1};
+
+/// A hull in both ways: what the waves do to it by frequency and run in time.
+class BothWays {
+public:
+    BothWays(const core::HullForm& form, double froude)
+        : m_length_m(form.lengthBp_m),
+          m_speed_mps(froude * std::sqrt(core::kGravity_mps2 * form.lengthBp_m)),
+          m_frequency(form),
+          m_time(form, {0.0, true, {m_speed_mps}}) {}
+
+    using Sizes = std::array<double, 6>;  ///< over wave amplitude, angles over wave slope
+    struct Pair {
+        Sizes byFrequency, inTime;
+    };
+    Pair at(double heading_rad, double lambdaOverL) const {
+        const double k = core::kTwoPi / (lambdaOverL * m_length_m);
+        const core::MetWave wave{std::sqrt(core::kGravity_mps2 * k), heading_rad, m_speed_mps};
+        const double height_m = m_length_m / 50.0;
+        return {sizesOf(m_frequency.respond(wave, height_m), k), sizesOf(m_time.respond(wave, height_m), k)};
+    }
+
+private:
+    static Sizes sizesOf(const core::WaveResponse& response, double waveNumber_radpm) {
+        Sizes sizes{};
+        for (std::size_t i = 0; i < 6; ++i)
+            sizes[i] = std::abs(response.atGravity[i]) / (i < 3 ? 1.0 : waveNumber_radpm);
+        return sizes;
+    }
+
+    double m_length_m, m_speed_mps;
+    core::HullResponse m_frequency;
+    core::TimeDomainHull m_time;
+};
+
+report::XyPlot emptyPlot(double heading_deg) {
+    report::XyPlot plot;
+    plot.note = fmt::format("Heading {:g} deg. Lines: frequency domain; points: run in time.", heading_deg);
+    plot.xTitle = "wavelength / ship length";
+    plot.yTitle = "over wave amplitude; angles over wave slope";
+    for (const std::size_t i : kDrawn) plot.series.push_back({kMotions[i], false, {}});
+    for (const std::size_t i : kDrawn)
+        plot.series.push_back({std::string(kMotions[i]) + ", in time", true, {}});
+    return plot;
+}
+
 }  // namespace
 
 /// The hull run through regular waves against the same hull in the frequency domain.
@@ -40,40 +86,22 @@ ValidationOutcome runTimeDomainCase(const ValidationContext& context, core::conf
     if (!in.sound()) return outcome;
     const auto form = readHullFile(context.reference(c.hull).string());
     if (!form) return outcome.trouble = form.error(), outcome;
-    const double speed_mps = c.froude * std::sqrt(core::kGravity_mps2 * form->lengthBp_m);
-    const double height_m = form->lengthBp_m / 50.0;
-    const core::HullResponse frequency(*form);
-    const core::TimeDomainHull time(*form, {0.0, true, {speed_mps}});
+    const BothWays hull(*form, c.froude);
     std::array<RelativeErrors, 6> errors;
-    constexpr std::array<std::size_t, 3> kDrawn{2, 4, 1};  // heave, pitch, sway
-    report::XyPlot plot;
-    plot.note = fmt::format("Heading {:g} deg. Lines: frequency domain; points: run in time.",
-                            c.headings_deg.empty() ? 0.0 : c.headings_deg.front());
-    plot.xTitle = "wavelength / ship length";
-    plot.yTitle = "over wave amplitude; angles over wave slope";
-    for (const char* name : {"heave", "pitch", "sway"}) plot.series.push_back({name, false, {}});
-    for (const char* name : {"heave, in time", "pitch, in time", "sway, in time"})
-        plot.series.push_back({name, true, {}});
     for (const double heading_deg : c.headings_deg) {
+        report::XyPlot plot = emptyPlot(heading_deg);
         for (const double lambdaOverL : c.lambdasOverL) {
-            const double k = core::kTwoPi / (lambdaOverL * form->lengthBp_m);
-            const core::MetWave wave{std::sqrt(core::kGravity_mps2 * k), heading_deg * core::kDegree_rad,
-                                     speed_mps};
-            const core::WaveResponse a = time.respond(wave, height_m), b = frequency.respond(wave, height_m);
-            const auto size = [&](const core::WaveResponse& r, std::size_t i) {
-                return std::abs(r.atGravity[i]) / (i < 3 ? 1.0 : k);
-            };
-            for (std::size_t i = 0; i < 6; ++i) errors[i].add(size(a, i), size(b, i), c.above);
-            if (heading_deg != c.headings_deg.front()) continue;
+            const BothWays::Pair pair = hull.at(heading_deg * core::kDegree_rad, lambdaOverL);
+            for (std::size_t i = 0; i < 6; ++i) errors[i].add(pair.inTime[i], pair.byFrequency[i], c.above);
             for (std::size_t j = 0; j < kDrawn.size(); ++j) {
-                plot.series[j].at.emplace_back(lambdaOverL, size(b, kDrawn[j]));
-                plot.series[j + kDrawn.size()].at.emplace_back(lambdaOverL, size(a, kDrawn[j]));
+                plot.series[j].at.emplace_back(lambdaOverL, pair.byFrequency[kDrawn[j]]);
+                plot.series[j + kDrawn.size()].at.emplace_back(lambdaOverL, pair.inTime[kDrawn[j]]);
             }
         }
+        if (outcome.plots.empty()) outcome.plots.push_back(std::move(plot));
     }
     for (std::size_t i = 0; i < 6; ++i)
         outcome.rows.push_back(largestErrorRow(kMotions[i], errors[i], c.share));
-    outcome.plots.push_back(std::move(plot));
     return outcome;
 }
 

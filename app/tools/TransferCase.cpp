@@ -65,6 +65,47 @@ core::ShipMotion rateOf(const core::TransferShip& ship, const core::ShipMotion& 
     return rate;
 }
 
+/// Midship and heading at the times of the published solution.
+std::vector<core::ShipMotion> runOf(const core::TransferShip& ship, const TransferCase& c,
+                                    const ReferenceTable& published) {
+    std::vector<core::ShipMotion> run;
+    core::ShipMotion m;
+    m.surge_mps = c.speed_mps;
+    int step = 0;
+    for (std::size_t row = 0; row < published.rows(); ++row) {
+        const auto until = static_cast<int>(std::lround(published.at("t", row) / kStep_s));
+        for (; step < until; ++step)
+            m = core::rk4Step(m, kStep_s, [&](const core::ShipMotion& x) { return rateOf(ship, x, c); });
+        run.push_back(m);
+    }
+    return run;
+}
+
+void compare(ValidationOutcome& outcome, const std::vector<core::ShipMotion>& run,
+             const ReferenceTable& published, const TransferCase& c, double length_m) {
+    report::XyPlot plot;
+    plot.xTitle = "to starboard, m";
+    plot.yTitle = "ahead, m";
+    plot.sameScale = true;
+    plot.series = {{"Sagara", false, {}}, {"published", true, {}}};
+    double worst_m = 0.0, worst_deg = 0.0;
+    for (std::size_t row = 0; row < run.size(); ++row) {
+        const core::ShipMotion& m = run[row];
+        const core::NorthEast place{published.at("x", row), published.at("y", row)};
+        worst_m = std::max(worst_m, core::distance(m.position(), place));
+        worst_deg =
+            std::max(worst_deg, std::abs(m.heading_rad / core::kDegree_rad - published.at("psi", row)));
+        plot.series[0].at.emplace_back(m.east_m, m.north_m);
+        plot.series[1].at.emplace_back(place.east_m, place.north_m);
+    }
+    outcome.rows = {
+        {.quantity = "track, largest error over L",
+         .measured = worst_m / length_m,
+         .tolerance = c.position_L},
+        {.quantity = "heading, largest error, deg", .measured = worst_deg, .tolerance = c.heading_deg}};
+    outcome.plots.push_back(std::move(plot));
+}
+
 }  // namespace
 
 /// A turn by the equations of a transfer model, rudder over at once and thrust constant, against a published
@@ -78,35 +119,11 @@ ValidationOutcome runTransferCase(const ValidationContext& context, core::config
     core::Vessel vessel = std::move(opened).value();
     const auto equations = equationsOf(vessel, c.ship.model);
     if (!equations) return outcome.trouble = c.ship.model + ": is no transfer model", outcome;
-    const auto table = ReferenceTable::read(context.reference(c.file));
-    if (!table) return outcome.trouble = table.error(), outcome;
+    const auto published = ReferenceTable::read(context.reference(c.file));
+    if (!published) return outcome.trouble = published.error(), outcome;
     vessel.hull.displacement_m3 = c.mass_kg / vessel.hull.waterDensity_kgpm3;
-    const core::TransferShip ship(*equations, vessel);
-    report::XyPlot plot;
-    plot.xTitle = "to starboard, m";
-    plot.yTitle = "ahead, m";
-    plot.sameScale = true;
-    plot.series = {{"Sagara", false, {}}, {"published", true, {}}};
-    core::ShipMotion m;
-    m.surge_mps = c.speed_mps;
-    double worst_m = 0.0, worst_deg = 0.0;
-    int step = 0;
-    for (std::size_t row = 0; row < table->rows(); ++row) {
-        const auto until = static_cast<int>(std::lround(table->at("t", row) / kStep_s));
-        for (; step < until; ++step)
-            m = core::rk4Step(m, kStep_s, [&](const core::ShipMotion& x) { return rateOf(ship, x, c); });
-        const core::NorthEast published{table->at("x", row), table->at("y", row)};
-        worst_m = std::max(worst_m, core::distance(m.position(), published));
-        worst_deg = std::max(worst_deg, std::abs(m.heading_rad / core::kDegree_rad - table->at("psi", row)));
-        plot.series[0].at.emplace_back(m.east_m, m.north_m);
-        plot.series[1].at.emplace_back(published.east_m, published.north_m);
-    }
-    outcome.rows = {
-        {.quantity = "track, largest error over L",
-         .measured = worst_m / vessel.hull.lengthBp_m,
-         .tolerance = c.position_L},
-        {.quantity = "heading, largest error, deg", .measured = worst_deg, .tolerance = c.heading_deg}};
-    outcome.plots.push_back(std::move(plot));
+    compare(outcome, runOf(core::TransferShip(*equations, vessel), c, *published), *published, c,
+            vessel.hull.lengthBp_m);
     return outcome;
 }
 

@@ -41,6 +41,7 @@ core::Result<ValidationResult, core::config::Problems> runValidation(const Valid
                                                             {"propulsion", runPropulsionCase},
                                                             {"rao", runRaoCase},
                                                             {"roll", runRollCase},
+                                                            {"spectra", runSpectraCase},
                                                             {"squat", runSquatCase},
                                                             {"timeDomain", runTimeDomainCase},
                                                             {"transfer", runTransferCase},

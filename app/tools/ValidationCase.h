@@ -54,6 +54,7 @@ ValidationOutcome runModelsCase(const ValidationContext& context, core::config::
 ValidationOutcome runPropulsionCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runRaoCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runRollCase(const ValidationContext& context, core::config::Reader& in);
+ValidationOutcome runSpectraCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runSquatCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runTimeDomainCase(const ValidationContext& context, core::config::Reader& in);
 ValidationOutcome runTransferCase(const ValidationContext& context, core::config::Reader& in);
