@@ -51,10 +51,12 @@ ValidationOutcome runDecayCase(const ValidationContext& context, core::config::R
     if (!in.sound()) return outcome;
     const auto vessel = openVessel(context.documents, c.ship);
     if (!vessel) return outcome.trouble = vessel.error(), outcome;
-    const auto published = ReferenceTable::read(context.folder / "reference" / c.file);
+    const auto published = ReferenceTable::read(context.reference(c.file));
     if (!published) return outcome.trouble = published.error(), outcome;
     const core::Trial trial = runOf(*vessel, c, *published);
-    report::XyPlot plot{vessel->name + ": " + trial.title, "time, s", "roll, deg", false, {}};
+    report::XyPlot plot;
+    plot.xTitle = "time, s";
+    plot.yTitle = "roll, deg";
     report::XyPlot::Series ours{"Sagara", false, {}}, theirs{"published", true, {}};
     double worst_deg = 0.0;
     for (std::size_t i = 0; i < std::min(trial.samples.size(), published->rows()); ++i) {

@@ -14,6 +14,8 @@ struct HullChoice {
     std::string file;  ///< in place of the vessel
 };
 
+/// A file with stations, offsets or coefficients. The error is for the person who named it.
+core::Result<core::HullForm, std::string> readHullFile(const std::string& file);
 /// The error is for the person who asked.
 core::Result<core::HullForm, std::string> openHull(const run::Store& store, const HullChoice& choice);
 

@@ -161,7 +161,7 @@ ValidationOutcome runManoeuvreCase(const ValidationContext& context, Reader& in)
     if (!vessel) return outcome.trouble = vessel.error(), outcome;
     std::optional<ReferenceTable> published;
     if (c.trace) {
-        auto table = ReferenceTable::read(context.folder / "reference" / c.trace->file);
+        auto table = ReferenceTable::read(context.reference(c.trace->file));
         if (!table) return outcome.trouble = table.error(), outcome;
         published = std::move(table).value();
         const double last_s = published->at("t", published->rows() - 1);
@@ -172,8 +172,7 @@ ValidationOutcome runManoeuvreCase(const ValidationContext& context, Reader& in)
     const core::Trial trial = tryManoeuvre(*vessel, c.run);
     if (c.trace) addTraceRows(outcome, *c.trace, trial, *published);
     addMeasureRows(outcome, c, *vessel, trial);
-    outcome.plots.push_back(
-        trialPlot(vessel->name, trial, pictureOf(c.run.test), published ? &*published : nullptr));
+    outcome.plots.push_back(trialPlot(trial, pictureOf(c.run.test), published ? &*published : nullptr));
     return outcome;
 }
 

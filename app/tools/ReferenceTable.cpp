@@ -39,8 +39,10 @@ core::Result<ReferenceTable, std::string> ReferenceTable::read(const std::filesy
             for (const std::string& name : names) table.m_columns[name];
             continue;
         }
-        for (std::size_t i = 0; i < names.size(); ++i)
-            table.m_columns[names[i]].push_back(numberIn(i < cells.size() ? cells[i] : std::string()));
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const std::string cell = i < cells.size() ? cells[i] : std::string();
+            table.m_columns[names[i]].push_back({cell, numberIn(cell)});
+        }
         ++table.m_rows;
     }
     if (table.m_rows == 0) return file.string() + ": has no rows";

@@ -9,8 +9,7 @@
 
 namespace sagara::tools {
 
-/// A published table as CSV: lines that begin with # say what it is, then a line of names, then numbers. A
-/// cell that is no number is NaN.
+/// A published table as CSV: lines that begin with # say what it is, then a line of names, then rows.
 class ReferenceTable {
 public:
     /// The error names the file.
@@ -18,10 +17,18 @@ public:
 
     bool has(const std::string& column) const { return m_columns.count(column) > 0; }
     std::size_t rows() const { return m_rows; }
-    double at(const std::string& column, std::size_t row) const { return m_columns.at(column)[row]; }
+    /// NaN where the cell is no number.
+    double at(const std::string& column, std::size_t row) const { return m_columns.at(column)[row].number; }
+    const std::string& text(const std::string& column, std::size_t row) const {
+        return m_columns.at(column)[row].text;
+    }
 
 private:
-    std::map<std::string, std::vector<double>> m_columns;
+    struct Cell {
+        std::string text;
+        double number;
+    };
+    std::map<std::string, std::vector<Cell>> m_columns;
     std::size_t m_rows = 0;
 };
 

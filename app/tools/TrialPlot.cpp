@@ -4,11 +4,9 @@
 
 namespace sagara::tools {
 
-report::XyPlot trialPlot(const std::string& ship, const core::Trial& trial, TrialPicture picture,
-                         const ReferenceTable* published) {
+report::XyPlot trialPlot(const core::Trial& trial, TrialPicture picture, const ReferenceTable* published) {
     using Sample = core::TrialSample;
     report::XyPlot plot;
-    plot.title = ship + ": " + trial.title;
     const auto add = [&](const char* name, auto&& x, auto&& y) {
         report::XyPlot::Series series{name, false, {}};
         for (const Sample& s : trial.samples) series.at.emplace_back(x(s), y(s));

@@ -12,8 +12,7 @@ enum class TrialPicture {
     SpeedOverReach    ///< of a ship that stops on a straight course
 };
 
-/// With a published trace (columns t, x, y, psi) where there is one; none is drawn for a speed.
-report::XyPlot trialPlot(const std::string& ship, const core::Trial& trial, TrialPicture picture,
-                         const ReferenceTable* published);
+/// With a published trace (columns t, x, y, psi) where there is one; none is drawn for a speed. No title.
+report::XyPlot trialPlot(const core::Trial& trial, TrialPicture picture, const ReferenceTable* published);
 
 }  // namespace sagara::tools

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/files/AssetSource.h"
@@ -14,9 +16,31 @@
 namespace sagara::tools {
 namespace {
 
-std::string shown(double value) { return fmt::format("{:.4g}", value); }
+/// Four digits, no powers of ten.
+std::string shown(double value) {
+    if (!std::isfinite(value)) return "not reached";
+    const double size = std::abs(value);
+    if (size > 0.0 && size < 1e-4) return "< 0.0001";
+    return size >= 1e3 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
 std::string shown(double value, bool share) {
-    return share ? fmt::format("{:.3g} %", 100.0 * value) : fmt::format("{:.2g}", value);
+    if (!std::isfinite(value)) return "";
+    const double printed = share ? 100.0 * value : value, size = std::abs(printed);
+    const std::string number = size > 0.0 && size < 1e-3 ? "< 0.001" : fmt::format("{:.3g}", printed);
+    return share ? number + " %" : number;
+}
+
+std::string toleranceOf(const ValidationRow& row) {
+    if (row.atMost) return "at most";
+    return row.share ? fmt::format("{:.3g} %", 100.0 * row.tolerance) : fmt::format("{:.3g}", row.tolerance);
+}
+
+/// Names of measures as people write them.
+std::string spaced(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    for (const auto& [plain, raised] : {std::pair(", m2", ", m²"), std::pair(", m3", ", m³")})
+        if (name.ends_with(plain)) name.replace(name.size() - 4, 4, raised);
+    return name;
 }
 
 std::string csvRow(const ValidationResult& r, const ValidationRow& row) {
@@ -27,13 +51,19 @@ std::string csvRow(const ValidationResult& r, const ValidationRow& row) {
 
 void addTo(report::ValidationData& data, const ValidationResult& r) {
     for (const ValidationRow& row : r.outcome.rows) {
-        data.rows.push_back({r.title, r.evidence, row.quantity, shown(row.measured), shown(row.reference),
-                             shown(row.error(), row.share), shown(row.tolerance, row.share), row.ok()});
+        data.rows.push_back({r.title, r.evidence, spaced(row.quantity), shown(row.measured),
+                             shown(row.reference), shown(row.error(), row.share), toleranceOf(row),
+                             row.ok()});
     }
     if (!r.outcome.trouble.empty())
         data.rows.push_back({r.title, r.evidence, r.outcome.trouble, "", "", "", "", false});
-    for (const report::XyPlot& plot : r.outcome.plots) data.plots.push_back(plot);
-    data.sources.push_back({r.title, r.source});
+    for (report::XyPlot plot : r.outcome.plots) {
+        if (plot.title.empty()) plot.title = r.title;
+        plot.note = spaced(plot.note);
+        data.plots.push_back(std::move(plot));
+    }
+    for (const report::ValidationSection& section : r.outcome.sections) data.sections.push_back(section);
+    data.sources.push_back({r.title, r.source, r.note});
 }
 
 int writeReport(const report::ValidationData& data, const std::filesystem::path& folder) {
@@ -57,6 +87,7 @@ int runValidate(const run::Store& store, const ValidateOptions& o) {
     data.date = core::formatUtc(run::now()).substr(0, 10);
     data.program = std::string("build ").append(core::coreBuildId());
     int code = run::kDone;
+    bool shortOfIt = false;
     run::print("case,kind,quantity,measured,reference,error,tolerance,result\n");
     for (const std::string& id : o.cases.empty() ? validationIds(context.folder) : o.cases) {
         const auto result = runValidation(context, id);
@@ -65,15 +96,20 @@ int runValidate(const run::Store& store, const ValidateOptions& o) {
             code = run::kBadRequest;
             continue;
         }
-        for (const ValidationRow& row : result->outcome.rows) run::print(csvRow(*result, row));
+        for (const ValidationRow& row : result->outcome.rows) {
+            run::print(csvRow(*result, row));
+            shortOfIt = shortOfIt || !row.ok();
+        }
         if (!result->outcome.trouble.empty()) {
             run::tell(id + ": " + result->outcome.trouble);
             run::print(fmt::format("{},{},,,,,,short\n", id, result->evidence));
+            shortOfIt = true;
         }
         addTo(data, *result);
     }
     const int written = writeReport(data, o.out);
-    return code == run::kDone ? written : code;
+    if (code != run::kDone || written != run::kDone) return code != run::kDone ? code : written;
+    return shortOfIt ? kShortOfTolerance : run::kDone;
 }
 
 }  // namespace sagara::tools

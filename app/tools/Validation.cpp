@@ -28,11 +28,25 @@ core::Result<ValidationResult, core::config::Problems> runValidation(const Valid
     core::config::Reader in(document.root());
     in.text("document");
     in.integer("version", 1, 1);
-    ValidationResult result{id, in.text("title"), {}, in.text("source"), {}};
+    ValidationResult result{id, in.text("title"), {}, in.text("source"), {}, {}};
     result.evidence = in.choice<const char*>(
         "evidence", {{"verification", "verification"}, {"validation", "validation"}, {"trend", "trend"}});
-    if (const auto run =
-            in.choiceIfKnown<RunCase>("kind", {{"decay", runDecayCase}, {"manoeuvre", runManoeuvreCase}}))
+    result.note = in.textOr("note", "");
+    if (const auto run = in.choiceIfKnown<RunCase>("kind", {{"decay", runDecayCase},
+                                                            {"hydrostatics", runHydrostaticsCase},
+                                                            {"ikeda", runIkedaCase},
+                                                            {"longWaves", runLongWavesCase},
+                                                            {"manoeuvre", runManoeuvreCase},
+                                                            {"models", runModelsCase},
+                                                            {"propulsion", runPropulsionCase},
+                                                            {"rao", runRaoCase},
+                                                            {"roll", runRollCase},
+                                                            {"spectra", runSpectraCase},
+                                                            {"squat", runSquatCase},
+                                                            {"timeDomain", runTimeDomainCase},
+                                                            {"transfer", runTransferCase},
+                                                            {"waves", runWavesCase},
+                                                            {"wind", runWindCase}}))
         result.outcome = (*run)(context, in);
     return document.finish(std::move(result));
 }

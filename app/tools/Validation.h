@@ -12,6 +12,7 @@ struct ValidationResult {
     std::string title;
     std::string evidence;  ///< verification, validation or trend
     std::string source;
+    std::string note;  ///< where it is claimed and why not elsewhere; empty: everywhere
     ValidationOutcome outcome;
 };
 

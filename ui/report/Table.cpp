@@ -33,7 +33,7 @@ SetCell setCell(const Table::Cell& cell, const Table::Column& column, double x_m
     const double room_mm = column.width_mm - kBetween_mm;
     SetCell set{TextBlock(cell.text, style, room_mm, 6), {}, x_mm, column.alignment};
     if (column.alignment & Qt::AlignRight) set.x_mm += kBetween_mm;
-    if (!cell.note.isEmpty()) set.note = TextBlock(cell.note, kNoteStyle, room_mm, 3);
+    if (!cell.note.isEmpty()) set.note = TextBlock(cell.note, kNoteStyle, room_mm, 6);
     return set;
 }
 
