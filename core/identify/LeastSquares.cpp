@@ -196,6 +196,7 @@ private:
 void judge(FitAnswer& answer, const FitProblem& problem, const Curvature& curvature) {
     const auto n = static_cast<Eigen::Index>(problem.shared.size());
     answer.meanSquare = curvature.meanSquare();
+    if (n == 0) return;
     const double scale = std::max(1.0, answer.meanSquare);
     const Eigen::MatrixXd told = curvature.shared() / scale;  // a misfit beyond the noise tells less
     const Eigen::MatrixXd spread = (told + Eigen::MatrixXd::Identity(n, n)).inverse();
