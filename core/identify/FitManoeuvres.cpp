@@ -68,6 +68,7 @@ public:
         result.meanSquare = answer.meanSquare;
         result.vessel = with(answer.shared);
         tellCoefficients(result, answer);
+        result.resistance = resistance(answer);
         for (std::size_t i = 0; i < m_trials.size(); ++i)
             result.trials.push_back(compare(i, startOf(startsBefore.own[i]), startOf(answer.own[i]), result));
         return result;
@@ -106,6 +107,35 @@ private:
                 if (const double r = answer.correlation(i, j); std::abs(r) > kTied)
                     result.ties.push_back({j, i, r});
         }
+    }
+
+    double resistance_kgpm(const Vessel& vessel, double speed_mps) const {
+        const ReplayShip ship(vessel, m_model, kDeepWater_m);
+        ShipMotion straight;
+        straight.surge_mps = speed_mps;
+        const HullForces f = ship.dynamics().hullForces(straight, ship.actuators(0.0, 0.0));
+        return -f.hull.surge_N / (speed_mps * speed_mps);
+    }
+
+    std::optional<FittedResistance> resistance(const FitAnswer& answer) const {
+        FittedResistance r;
+        for (const SeaTrial* t : m_trials) r.speed_mps = std::max(r.speed_mps, approachOf_mps(*t));
+        if (r.speed_mps <= 0.0) return std::nullopt;
+        r.before_kgpm = resistance_kgpm(m_vessel, r.speed_mps);
+        r.after_kgpm = resistance_kgpm(with(answer.shared), r.speed_mps);
+        if (r.before_kgpm <= 0.0 || r.after_kgpm <= 0.0) return std::nullopt;
+        const std::size_t n = m_coefficients.size();
+        std::vector<double> slope(n);  // change by one standard deviation
+        for (std::size_t i = 0; i < n; ++i) {
+            std::vector<double> moved = answer.shared;
+            moved[i] += answer.deviation[i];
+            slope[i] = resistance_kgpm(with(moved), r.speed_mps) - r.after_kgpm;
+        }
+        double variance = 0.0;
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < n; ++j) variance += slope[i] * slope[j] * answer.correlation(i, j);
+        r.deviation_kgpm = std::sqrt(std::max(0.0, variance));
+        return r;
     }
 
     FittedTrial compare(std::size_t i, const TrialStart& before, const TrialStart& after,

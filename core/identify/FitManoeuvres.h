@@ -32,6 +32,12 @@ struct Tie {
     double correlation = 0.0;
 };
 
+/// X_uu: what holds her back straight ahead, over the square of the speed.
+struct FittedResistance {
+    double speed_mps = 0.0;  ///< at which it was taken: the fastest approach
+    double before_kgpm = 0.0, after_kgpm = 0.0, deviation_kgpm = 0.0;
+};
+
 struct ManoeuvreFit {
     bool found = false;  ///< false: the model leaves the numbers at its start
     bool settled = false;
@@ -40,6 +46,8 @@ struct ManoeuvreFit {
     std::vector<Tie> ties;
     std::vector<double> sharpness;  ///< see FitAnswer
     double meanSquare = 0.0;
+    /// None: her model holds thrust and resistance in balance and tells neither.
+    std::optional<FittedResistance> resistance;
     Vessel vessel;  ///< with what was found
 };
 
