@@ -21,7 +21,7 @@ constexpr ColumnName kColumns[] = {
     {"time_s", Channel::Time, 1.0, 1e7},
     {"x_m", Channel::North, 1.0, 1e6},
     {"y_m", Channel::East, 1.0, 1e6},
-    {"heading_deg", Channel::Heading, kDegree_rad, 1e5},
+    {"heading_deg", Channel::Heading, kDegree_rad, 36000.0},
     {"surge_mps", Channel::Surge, 1.0, 60.0},
     {"sway_mps", Channel::Sway, 1.0, 60.0},
     {"yaw_rate_degps", Channel::YawRate, kDegree_rad, 90.0},

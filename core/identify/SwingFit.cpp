@@ -61,10 +61,20 @@ public:
         }
         m_mean = sum / std::max(1.0, count);
         m_rms = std::sqrt(std::max(1e-12, squares / std::max(1.0, count) - (waves ? m_mean * m_mean : 0.0)));
+        m_deviation = 0.05 * m_rms;
     }
 
     double rms() const { return m_rms; }
-    double deviation() const { return 0.05 * m_rms; }
+    double deviation() const { return m_deviation; }
+    /// How well the record can be followed; not better than a five hundredth of the motion.
+    void setDeviation(double deviation) { m_deviation = std::max(deviation, 0.002 * m_rms); }
+    double left(const FitAnswer& answer, std::size_t i) const {
+        std::vector<double> out(rows());
+        misfit(answer.shared, answer.own[i], out);
+        double squares = 0.0;
+        for (const double m : out) squares += m * m;
+        return m_deviation * std::sqrt(squares / static_cast<double>(out.size()));
+    }
     std::size_t rows() const { return m_end - m_first; }
     double duration_s() const { return time(m_end - 1) - time(m_first); }
 
@@ -119,7 +129,7 @@ private:
     Swing m_swing;
     std::optional<WaveDrive> m_drive;
     std::size_t m_first = 0, m_end = 0;
-    double m_mean = 0.0, m_rms = 0.0;
+    double m_mean = 0.0, m_rms = 0.0, m_deviation = 0.0;
 };
 
 FitProblem problemOf(const std::vector<Record>& records, const Swing& swing, Channel motion, double startShare) {
@@ -171,8 +181,10 @@ std::optional<SwingFit> fitSwing(const Vessel& vessel, const std::vector<SeaTria
         fit.amplitude = std::max(fit.amplitude, std::sqrt(2.0) * records.back().rms());
     }
     if (records.empty()) return std::nullopt;
-    const FitAnswer answer = best(records, swing, motion);
+    FitAnswer answer = best(records, swing, motion);
     if (!answer.found) return std::nullopt;
+    for (std::size_t i = 0; i < records.size(); ++i) records[i].setDeviation(records[i].left(answer, i));
+    if (const FitAnswer again = best(records, swing, motion); again.found) answer = again;
     fit.frequency_radps = answer.shared[0];
     fit.linear = answer.shared[1];
     fit.quadratic = answer.shared[2];
@@ -182,10 +194,9 @@ std::optional<SwingFit> fitSwing(const Vessel& vessel, const std::vector<SeaTria
     fit.covariance = answer.covariance[1 * 3 + 2];
     double squares = 0.0, rows = 0.0;
     for (std::size_t i = 0; i < records.size(); ++i) {
-        std::vector<double> misfit(records[i].rows());
-        records[i].misfit(answer.shared, answer.own[i], misfit);
-        for (const double m : misfit) squares += std::pow(m * records[i].deviation(), 2);
-        rows += static_cast<double>(misfit.size());
+        const auto count = static_cast<double>(records[i].rows());
+        squares += count * std::pow(records[i].left(answer, i), 2);
+        rows += count;
     }
     fit.rms = std::sqrt(squares / rows);
     return fit;
