@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/files/FindDocument.h"
 #include "app/files/Files.h"
+#include "app/files/FindDocument.h"
 #include "app/run/Console.h"
 #include "app/run/RunOptions.h"
 #include "app/tools/IdentifyReport.h"
@@ -21,7 +21,8 @@ std::string unknownGroups(const core::NamedModel& model, const std::vector<std::
     for (const std::string& k : known) names += (names.empty() ? "" : ", ") + k;
     for (const std::string& w : wanted)
         if (known.count(w) == 0) unknown += (unknown.empty() ? "" : ", ") + w;
-    return unknown.empty() ? unknown : "--fit: model " + model.name + " has no " + unknown + ", expected " + names;
+    return unknown.empty() ? unknown
+                           : "--fit: model " + model.name + " has no " + unknown + ", expected " + names;
 }
 
 std::vector<core::SwingFit> swingsOf(const core::Vessel& vessel, const std::vector<core::SeaTrial>& trials) {
@@ -36,7 +37,8 @@ std::vector<std::string> unusedOf(const Identified& found, const std::vector<cor
     std::vector<std::string> unused;
     for (const core::SeaTrial& trial : trials) {
         const auto& used = found.manoeuvres.trials;
-        bool told = std::any_of(used.begin(), used.end(), [&](const auto& t) { return t.name == trial.name; });
+        bool told =
+            std::any_of(used.begin(), used.end(), [&](const auto& t) { return t.name == trial.name; });
         for (const core::SwingFit& s : found.swings)
             told = told || std::count(s.trials.begin(), s.trials.end(), trial.name) > 0;
         if (!told) unused.push_back(trial.name);
@@ -62,8 +64,12 @@ int runIdentify(const run::Store& store, const IdentifyOptions& o) {
         if (progress.due()) progress.show("iteration " + std::to_string(iteration));
         return true;
     };
-    Identified found{vessel->id, model.name, core::fitManoeuvres(*vessel, *trials, options),
-                     core::fitNomoto(*trials, vessel->hull.lengthBp_m), swingsOf(*vessel, *trials), {}};
+    Identified found{vessel->id,
+                     model.name,
+                     core::fitManoeuvres(*vessel, *trials, options),
+                     core::fitNomoto(*trials, vessel->hull.lengthBp_m),
+                     swingsOf(*vessel, *trials),
+                     {}};
     if (!found.manoeuvres.found)
         return run::tell(vessel->id + ": the model leaves the numbers in these trials"), run::kMachineFailed;
     found.unused = unusedOf(found, *trials);

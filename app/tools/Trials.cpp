@@ -22,7 +22,8 @@ std::vector<fs::path> csvFilesIn(const fs::path& folder, std::error_code& troubl
 core::Result<std::vector<core::SeaTrial>, std::string> readTrials(const fs::path& folder) {
     std::error_code trouble;
     const std::vector<fs::path> files = csvFilesIn(folder, trouble);
-    if (trouble) return folder.string() + ": cannot be read (" + trouble.message() + "), expected a folder of trials";
+    if (trouble)
+        return folder.string() + ": cannot be read (" + trouble.message() + "), expected a folder of trials";
     if (files.empty()) return folder.string() + ": has no *.csv, expected one for each trial";
     std::vector<core::SeaTrial> trials;
     std::string problems;
@@ -30,8 +31,10 @@ core::Result<std::vector<core::SeaTrial>, std::string> readTrials(const fs::path
         const auto text = files::readTextFile(file);
         auto trial = text ? core::readSeaTrial(file.filename().string(), *text)
                           : core::Result<core::SeaTrial, core::config::Problems>(core::config::Problems());
-        if (trial) trials.push_back(std::move(trial).value());
-        else problems += (problems.empty() ? "" : "\n") + (text ? trial.error().text() : text.error().message);
+        if (trial)
+            trials.push_back(std::move(trial).value());
+        else
+            problems += (problems.empty() ? "" : "\n") + (text ? trial.error().text() : text.error().message);
     }
     if (!problems.empty()) return problems;
     return trials;

@@ -35,6 +35,12 @@ std::vector<Unknown> startUnknowns(const SeaTrial& trial, double length_m) {
             about0(0.02 * pace_mps / length_m), about0(0.5 * kDegree_rad)};
 }
 
+bool goesAstern(const SeaTrial* trial) {
+    const auto& shafts = (*trial)[Channel::Shaft];
+    return trial->shaft_rps.value_or(0.0) < 0.0 ||
+           std::any_of(shafts.begin(), shafts.end(), [](double rps) { return rps < 0.0; });
+}
+
 /// The problem of one vessel, one model and all her trials.
 class Fitter {
 public:
@@ -50,6 +56,9 @@ public:
             m_misfits.emplace_back(trial, vessel.hull.lengthBp_m);
         }
         m_coefficients = coefficientsOf(model, options.groups);
+        const bool stops = std::any_of(m_trials.begin(), m_trials.end(), goesAstern);
+        if (stops && (options.groups.empty() || options.groups.count("astern") > 0))
+            for (Coefficient& c : sternwardCoefficients(vessel)) m_coefficients.push_back(std::move(c));
         const auto ofRoll = [](const Coefficient& c) { return c.key.back() == 'K'; };
         if (!rolls && ownsRoll(model))  // nothing would tell them
             m_coefficients.erase(std::remove_if(m_coefficients.begin(), m_coefficients.end(), ofRoll),
@@ -77,16 +86,21 @@ public:
 private:
     Vessel with(std::span<const double> values) const {
         Vessel vessel = m_vessel;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            m_coefficients[i].in(modelIn(vessel, m_model)) = values[i];
+        for (std::size_t i = 0; i < values.size(); ++i) valueIn(vessel, i) = values[i];
         return vessel;
+    }
+
+    double& valueIn(Vessel& vessel, std::size_t i) const {
+        return m_coefficients[i].in(vessel, modelIn(vessel, m_model));
     }
 
     FitProblem problem(Vessel& vessel, bool shared) const {
         FitProblem p;
         p.watch = shared ? m_options.watch : nullptr;
-        for (const Coefficient& c : m_coefficients)
-            if (shared) p.shared.push_back({c.in(modelIn(vessel, m_model)), c.prior, c.low, c.high});
+        for (std::size_t i = 0; shared && i < m_coefficients.size(); ++i) {
+            const Coefficient& c = m_coefficients[i];
+            p.shared.push_back({valueIn(vessel, i), c.prior, c.low, c.high});
+        }
         for (std::size_t i = 0; i < m_trials.size(); ++i) {
             const TrialMisfit& misfit = m_misfits[i];
             p.pieces.push_back({startUnknowns(*m_trials[i], vessel.hull.lengthBp_m), misfit.measurements(),
@@ -101,8 +115,7 @@ private:
     void tellCoefficients(ManoeuvreFit& result, const FitAnswer& answer) {
         for (std::size_t i = 0; i < m_coefficients.size(); ++i) {
             const Coefficient& c = m_coefficients[i];
-            result.coefficients.push_back(
-                {c, c.in(modelIn(m_vessel, m_model)), answer.shared[i], answer.deviation[i]});
+            result.coefficients.push_back({c, valueIn(m_vessel, i), answer.shared[i], answer.deviation[i]});
             for (std::size_t j = 0; j < i; ++j)
                 if (const double r = answer.correlation(i, j); std::abs(r) > kTied)
                     result.ties.push_back({j, i, r});

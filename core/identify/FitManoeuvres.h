@@ -51,9 +51,9 @@ struct ManoeuvreFit {
     Vessel vessel;  ///< with what was found
 };
 
-/// Fits coefficients of one model to all trials of a vessel together (those of motion logs excepted) by output
-/// error: the model is run through each trial, with a start of its own, and compared with every number of the
-/// record. Trials of decay count only where the model itself owns roll.
+/// Fits coefficients of one model to all trials of a vessel together (those of motion logs excepted) by
+/// output error: the model is run through each trial, with a start of its own, and compared with every number
+/// of the record. Trials of decay count only where the model itself owns roll.
 ManoeuvreFit fitManoeuvres(const Vessel& vessel, const std::vector<SeaTrial>& trials,
                            const ManoeuvreFitOptions& options = {});
 

@@ -52,32 +52,34 @@ std::string howFitted(const ManoeuvreFit& fit) {
     return how;
 }
 
-void writeManoeuvres(Json& model, const ManoeuvreFit& fit) {
-    std::set<std::string> touched;
+void writeManoeuvres(Json& vessel, Json& model, const ManoeuvreFit& fit) {
+    std::set<Json*> touched;
     for (const FittedCoefficient& c : fit.coefficients) {
-        model[Place(c.coefficient.group + c.coefficient.key)] = neat(c.after);
-        touched.insert(c.coefficient.group);
+        Json& group = (c.coefficient.ofModel ? model : vessel)[Place(c.coefficient.group)];
+        group[Place(c.coefficient.key)] = neat(c.after);
+        if (touched.insert(&group).second) mark(group, howFitted(fit));
     }
-    for (const std::string& group : touched) mark(model[Place(group)], howFitted(fit));
-    if (!touched.empty() && touched.count("") == 0) model["quality"] = "fitted";
+    if (!touched.empty()) model["quality"] = "fitted";
 }
 
 void writeSwing(Json& seakeeping, const SwingFit& swing, const Hull& hull, std::string& how) {
     if (!swing.told()) return;
     const bool roll = swing.motion == Channel::Roll;
-    const char* key = roll                               ? "rollDampingRatio"
+    const char* key = roll                             ? "rollDampingRatio"
                       : swing.motion == Channel::Pitch ? "pitchDampingRatio"
-                                                         : "heaveDampingRatio";
+                                                       : "heaveDampingRatio";
     const double ratio = std::clamp(swing.equivalent(swing.amplitude), 0.005, 1.5);  // as the reader accepts
     seakeeping[key] = neat(ratio);
     how += (how.empty() ? "" : ", ") + std::string(key) + " fitted by sagara-sim identify";
-    for (const std::string& trial : swing.trials) how += (&trial == swing.trials.data() ? " to " : ", ") + trial;
+    for (const std::string& trial : swing.trials)
+        how += (&trial == swing.trials.data() ? " to " : ", ") + trial;
     if (!roll) return;
     how += ", as at " + figure(swing.amplitude / kDegree_rad, 1, " deg") + " of " +
            figure(swing.linear, 4, "") + " + " + figure(4.0 / (3.0 * kPi) * swing.quadratic, 4, "") +
            " per rad of amplitude";
-    const double added = kGravity_mps2 * hull.metacentricHeight_m /
-                             std::pow(swing.frequency_radps * hull.rollGyradius_m, 2) - 1.0;
+    const double added =
+        kGravity_mps2 * hull.metacentricHeight_m / std::pow(swing.frequency_radps * hull.rollGyradius_m, 2) -
+        1.0;
     if (added < 0.0 || added > 5.0) return;
     seakeeping["rollAddedInertiaRatio"] = neat(added);
     how += ", added inertia by the period of " + figure(kTwoPi / swing.frequency_radps, 2, " s");
@@ -88,9 +90,10 @@ void writeSwing(Json& seakeeping, const SwingFit& swing, const Hull& hull, std::
 std::string fittedDocument(std::string_view text, std::string_view model, const ManoeuvreFit& manoeuvres,
                            const std::vector<SwingFit>& swings) {
     Json document = Json::parse(text);
-    writeManoeuvres(modelIn(document, model), manoeuvres);
+    writeManoeuvres(document, modelIn(document, model), manoeuvres);
     std::string how;
-    for (const SwingFit& swing : swings) writeSwing(document["seakeeping"], swing, manoeuvres.vessel.hull, how);
+    for (const SwingFit& swing : swings)
+        writeSwing(document["seakeeping"], swing, manoeuvres.vessel.hull, how);
     if (!how.empty()) mark(document["seakeeping"], how);
     return document.dump(2) + "\n";
 }

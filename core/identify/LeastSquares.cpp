@@ -2,87 +2,36 @@
 
 #include <ceres/ceres.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
+
+#include "core/identify/FitCurvature.h"
 
 namespace sagara::core {
 namespace {
 
-constexpr double kDifference = 0.01;  ///< of a prior
-constexpr double kOutlier = 5.0;      ///< standard deviations
-
-/// Half its square is the pseudo-Huber loss of Charbonnier et al. (1997), IEEE Trans. Image Processing 6(2).
-double softened(double misfit) {
-    const double share = misfit / kOutlier;
-    return std::copysign(kOutlier * std::sqrt(2.0 * share * share / (std::sqrt(1.0 + share * share) + 1.0)),
-                         misfit);
-}
-
-double inUnits(const Unknown& u, double z) { return std::clamp(u.start + u.prior * z, u.low, u.high); }
-std::vector<double> inUnits(const std::vector<Unknown>& unknowns, const double* z) {
-    std::vector<double> x(unknowns.size());
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = inUnits(unknowns[i], z[i]);
-    return x;
-}
-
-bool finite(const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-/// One piece as Ceres sees it: unknowns as priors from their start. Blocks: shared, own.
+/// One piece as Ceres sees it. Blocks: shared, own.
 class PieceCost final : public ceres::CostFunction {
 public:
-    PieceCost(const FitProblem& problem, const FitPiece& piece) : m_problem(problem), m_piece(piece) {
+    PieceCost(const FitProblem& problem, const FitPiece& piece) : m_misfit(problem, piece) {
         set_num_residuals(static_cast<int>(piece.measurements));
         for (const auto* block : {&problem.shared, &piece.own})
             if (!block->empty()) mutable_parameter_block_sizes()->push_back(static_cast<int>(block->size()));
     }
 
     bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-        std::vector<std::vector<double>> z;
+        PieceMisfit::Blocks z;
         for (std::size_t b = 0; b < parameter_block_sizes().size(); ++b)
             z.emplace_back(blocks[b], blocks[b] + parameter_block_sizes()[b]);
-        std::vector<double> here(m_piece.measurements);
-        if (!misfit(z, here)) return false;
+        std::vector<double> here(static_cast<std::size_t>(num_residuals()));
+        if (!m_misfit.at(z, here)) return false;
         std::copy(here.begin(), here.end(), residuals);
         for (std::size_t b = 0; jacobians && b < z.size(); ++b)
-            if (jacobians[b])
-                for (std::size_t i = 0; i < z[b].size(); ++i) differentiate(z, b, i, here, jacobians[b]);
+            if (jacobians[b]) m_misfit.differentiate(z, b, here, jacobians[b]);
         return true;
     }
 
 private:
-    bool misfit(const std::vector<std::vector<double>>& z, std::vector<double>& out) const {
-        static const std::vector<double> none;
-        const bool shares = !m_problem.shared.empty();
-        const auto shared = inUnits(m_problem.shared, shares ? z.front().data() : nullptr);
-        const auto own = inUnits(m_piece.own, m_piece.own.empty() ? nullptr : z.back().data());
-        if (!m_piece.misfit(shared, own, out) || !finite(out)) return false;
-        const double weight = std::sqrt(m_piece.independent / static_cast<double>(m_piece.measurements));
-        for (double& value : out) value = weight * softened(value);
-        return true;
-    }
-
-    /// A side on which the model leaves the numbers is left out.
-    void differentiate(std::vector<std::vector<double>>& z, std::size_t b, std::size_t i,
-                       const std::vector<double>& here, double* jacobian) const {
-        const double at = z[b][i];
-        std::vector<double> up(here.size()), down(here.size());
-        z[b][i] = at + kDifference;
-        const bool above = misfit(z, up);
-        z[b][i] = at - kDifference;
-        const bool below = misfit(z, down);
-        z[b][i] = at;
-        if (!above) up = here;
-        if (!below) down = here;
-        const double width = kDifference * ((above ? 1.0 : 0.0) + (below ? 1.0 : 0.0));
-        for (std::size_t m = 0; m < here.size(); ++m)
-            jacobian[m * z[b].size() + i] = width > 0.0 ? (up[m] - down[m]) / width : 0.0;
-    }
-
-    const FitProblem& m_problem;
-    const FitPiece& m_piece;
+    PieceMisfit m_misfit;
 };
 
 /// What was believed beforehand: the unknowns themselves.
@@ -129,6 +78,14 @@ struct Blocks {
         if (!own[piece].empty()) blocks.push_back(own[piece].data());
         return blocks;
     }
+    std::vector<PieceMisfit::Blocks> copies() const {
+        std::vector<PieceMisfit::Blocks> all(own.size());
+        for (std::size_t p = 0; p < own.size(); ++p) {
+            if (!shared.empty()) all[p].push_back(shared);
+            if (!own[p].empty()) all[p].push_back(own[p]);
+        }
+        return all;
+    }
 };
 
 void bound(ceres::Problem& problem, const std::vector<Unknown>& unknowns, std::vector<double>& z) {
@@ -151,65 +108,6 @@ ceres::Solver::Options options(Watch& watch) {
     o.logging_type = ceres::SILENT;
     o.callbacks = {&watch};
     return o;
-}
-
-/// Curvature of half the sum of squares at the answer, in priors: of the shared unknowns, what the own ones
-/// can take over taken off (Schur's complement).
-class Curvature {
-public:
-    Curvature(const FitProblem& problem, Blocks& z) {
-        const auto n = static_cast<Eigen::Index>(problem.shared.size());
-        m_shared = Eigen::MatrixXd::Zero(n, n);
-        for (std::size_t p = 0; p < problem.pieces.size(); ++p) add(problem, problem.pieces[p], z.of(p), n);
-    }
-    const Eigen::MatrixXd& shared() const { return m_shared; }
-    double meanSquare() const { return m_measurements > 0.0 ? m_squares / m_measurements : 0.0; }
-
-private:
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-    void add(const FitProblem& problem, const FitPiece& piece, const std::vector<double*>& blocks,
-             Eigen::Index n) {
-        if (piece.measurements == 0) return;
-        const auto rows = static_cast<Eigen::Index>(piece.measurements);
-        const auto k = static_cast<Eigen::Index>(piece.own.size());
-        RowMajor shared(rows, n), own(rows, k);
-        Eigen::VectorXd residuals(rows);
-        std::vector<double*> jacobians;
-        if (n > 0) jacobians.push_back(shared.data());
-        if (k > 0) jacobians.push_back(own.data());
-        if (!PieceCost(problem, piece).Evaluate(blocks.data(), residuals.data(), jacobians.data())) return;
-        m_squares += residuals.squaredNorm();
-        m_measurements += piece.independent;
-        if (n == 0) return;
-        m_shared += shared.transpose() * shared;
-        if (k == 0) return;
-        const Eigen::MatrixXd ownCurvature = own.transpose() * own + Eigen::MatrixXd::Identity(k, k),
-                              cross = own.transpose() * shared;
-        m_shared -= cross.transpose() * ownCurvature.ldlt().solve(cross);
-    }
-
-    Eigen::MatrixXd m_shared;
-    double m_squares = 0.0, m_measurements = 0.0;
-};
-
-void judge(FitAnswer& answer, const FitProblem& problem, const Curvature& curvature) {
-    const auto n = static_cast<Eigen::Index>(problem.shared.size());
-    answer.meanSquare = curvature.meanSquare();
-    if (n == 0) return;
-    const double scale = std::max(1.0, answer.meanSquare);
-    const Eigen::MatrixXd told = curvature.shared() / scale;  // a misfit beyond the noise tells less
-    const Eigen::MatrixXd spread = (told + Eigen::MatrixXd::Identity(n, n)).inverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(told);
-    for (Eigen::Index i = n; i-- > 0;)
-        answer.sharpness.push_back(std::sqrt(std::max(0.0, directions.eigenvalues()[i])));
-    for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index j = 0; j < n; ++j)
-            answer.covariance.push_back(spread(i, j) * problem.shared[static_cast<std::size_t>(i)].prior *
-                                        problem.shared[static_cast<std::size_t>(j)].prior);
-        answer.deviation.push_back(std::sqrt(std::max(0.0, spread(i, i))) *
-                                   problem.shared[static_cast<std::size_t>(i)].prior);
-    }
 }
 
 }  // namespace
@@ -236,7 +134,7 @@ FitAnswer leastSquares(const FitProblem& problem) {
     answer.shared = inUnits(problem.shared, z.shared.data());
     for (std::size_t p = 0; p < problem.pieces.size(); ++p)
         answer.own.push_back(inUnits(problem.pieces[p].own, z.own[p].data()));
-    if (answer.found) judge(answer, problem, Curvature(problem, z));
+    if (answer.found) judge(answer, problem, z.copies());
     return answer;
 }
 

@@ -5,9 +5,9 @@
 namespace sagara::core {
 namespace {
 
-/// `least`: prior standard deviation where the share of the value is smaller. Our own judgement: about a fifth
-/// of what the coefficient is in the published sets of merchant ships, for where she happens to have a small
-/// one.
+/// `least`: prior standard deviation where the share of the value is smaller. Our own judgement: about a
+/// fifth of what the coefficient is in the published sets of merchant ships, for where she happens to have a
+/// small one.
 template <typename Group>
 struct Row {
     const char* key;
@@ -18,21 +18,21 @@ struct Row {
 
 constexpr double kD = 20.0;  // as the document's reader
 constexpr Row<MmgHull> kHull[] = {
-    {"R0", &MmgHull::R0, 0.002, 0.001, 1.0},      {"Xvv", &MmgHull::Xvv, 0.02, -kD, kD},
-    {"Xvr", &MmgHull::Xvr, 0.02, -kD, kD},        {"Xrr", &MmgHull::Xrr, 0.005, -kD, kD},
-    {"Xvvvv", &MmgHull::Xvvvv, 0.1, -kD, kD},     {"Yv", &MmgHull::Yv, 0.05, -kD, kD},
-    {"Yr", &MmgHull::Yr, 0.02, -kD, kD},          {"Yvvv", &MmgHull::Yvvv, 0.3, -kD, kD},
-    {"Yvvr", &MmgHull::Yvvr, 0.2, -kD, kD},       {"Yvrr", &MmgHull::Yvrr, 0.1, -kD, kD},
-    {"Yrrr", &MmgHull::Yrrr, 0.01, -kD, kD},      {"Nv", &MmgHull::Nv, 0.02, -kD, kD},
-    {"Nr", &MmgHull::Nr, 0.01, -kD, kD},          {"Nvvv", &MmgHull::Nvvv, 0.05, -kD, kD},
-    {"Nvvr", &MmgHull::Nvvr, 0.06, -kD, kD},      {"Nvrr", &MmgHull::Nvrr, 0.02, -kD, kD},
-    {"Nrrr", &MmgHull::Nrrr, 0.005, -kD, kD},     {"Yvv", &MmgHull::Yvv, 0.1, -kD, kD},
-    {"Yrr", &MmgHull::Yrr, 0.01, -kD, kD},        {"Nvv", &MmgHull::Nvv, 0.02, -kD, kD},
-    {"Nrr", &MmgHull::Nrr, 0.01, -kD, kD},        {"Xrphi", &MmgHull::Xrphi, 0.02, -kD, kD},
-    {"Yphi", &MmgHull::Yphi, 0.01, -kD, kD},      {"Yvvphi", &MmgHull::Yvvphi, 0.05, -kD, kD},
-    {"Yvrphi", &MmgHull::Yvrphi, 0.05, -kD, kD},  {"Yrrphi", &MmgHull::Yrrphi, 0.02, -kD, kD},
-    {"Nphi", &MmgHull::Nphi, 0.005, -kD, kD},     {"Nvvphi", &MmgHull::Nvvphi, 0.02, -kD, kD},
-    {"Nvrphi", &MmgHull::Nvrphi, 0.02, -kD, kD},  {"Nrrphi", &MmgHull::Nrrphi, 0.01, -kD, kD},
+    {"R0", &MmgHull::R0, 0.002, 0.001, 1.0},     {"Xvv", &MmgHull::Xvv, 0.02, -kD, kD},
+    {"Xvr", &MmgHull::Xvr, 0.02, -kD, kD},       {"Xrr", &MmgHull::Xrr, 0.005, -kD, kD},
+    {"Xvvvv", &MmgHull::Xvvvv, 0.1, -kD, kD},    {"Yv", &MmgHull::Yv, 0.05, -kD, kD},
+    {"Yr", &MmgHull::Yr, 0.02, -kD, kD},         {"Yvvv", &MmgHull::Yvvv, 0.3, -kD, kD},
+    {"Yvvr", &MmgHull::Yvvr, 0.2, -kD, kD},      {"Yvrr", &MmgHull::Yvrr, 0.1, -kD, kD},
+    {"Yrrr", &MmgHull::Yrrr, 0.01, -kD, kD},     {"Nv", &MmgHull::Nv, 0.02, -kD, kD},
+    {"Nr", &MmgHull::Nr, 0.01, -kD, kD},         {"Nvvv", &MmgHull::Nvvv, 0.05, -kD, kD},
+    {"Nvvr", &MmgHull::Nvvr, 0.06, -kD, kD},     {"Nvrr", &MmgHull::Nvrr, 0.02, -kD, kD},
+    {"Nrrr", &MmgHull::Nrrr, 0.005, -kD, kD},    {"Yvv", &MmgHull::Yvv, 0.1, -kD, kD},
+    {"Yrr", &MmgHull::Yrr, 0.01, -kD, kD},       {"Nvv", &MmgHull::Nvv, 0.02, -kD, kD},
+    {"Nrr", &MmgHull::Nrr, 0.01, -kD, kD},       {"Xrphi", &MmgHull::Xrphi, 0.02, -kD, kD},
+    {"Yphi", &MmgHull::Yphi, 0.01, -kD, kD},     {"Yvvphi", &MmgHull::Yvvphi, 0.05, -kD, kD},
+    {"Yvrphi", &MmgHull::Yvrphi, 0.05, -kD, kD}, {"Yrrphi", &MmgHull::Yrrphi, 0.02, -kD, kD},
+    {"Nphi", &MmgHull::Nphi, 0.005, -kD, kD},    {"Nvvphi", &MmgHull::Nvvphi, 0.02, -kD, kD},
+    {"Nvrphi", &MmgHull::Nvrphi, 0.02, -kD, kD}, {"Nrrphi", &MmgHull::Nrrphi, 0.01, -kD, kD},
 };
 constexpr Row<MmgWake> kWake[] = {
     {"C1", &MmgWake::C1, 0.4, 0.0, 20.0},
@@ -57,8 +57,9 @@ void add(std::vector<Coefficient>& all, const Row<Group> (&rows)[n], const char*
         const double value = model.parameters.*group.*row.member;
         if (value == 0.0) continue;
         const auto member = row.member;
-        all.push_back({std::string(name) + "." + row.key, std::string("/") + name, std::string("/") + row.key,
-                       [group, member](NamedModel& m) -> double& {
+        all.push_back({std::string(name) + "." + row.key, true, std::string("/") + name,
+                       std::string("/") + row.key,
+                       [group, member](Vessel&, NamedModel& m) -> double& {
                            return std::get<MmgModel>(m.parameters).parameters.*group.*member;
                        },
                        std::max(row.least, priorShare(quality) * std::abs(value)), row.low, row.high});

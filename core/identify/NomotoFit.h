@@ -4,8 +4,8 @@
 
 namespace sagara::core {
 
-/// The two numbers of Nomoto et al. (1957), T r' + r = K (delta - delta0), that describe the records of a ship
-/// best, whatever model she is run with: at the speed and amplitude of these trials.
+/// The two numbers of Nomoto et al. (1957), T r' + r = K (delta - delta0), that describe the records of a
+/// ship best, whatever model she is run with: at the speed and amplitude of these trials.
 struct NomotoFit {
     double gain_perS = 0.0, gainDeviation_perS = 0.0;
     double timeConstant_s = 0.0, timeDeviation_s = 0.0;
@@ -14,8 +14,8 @@ struct NomotoFit {
     std::vector<std::string> trials;
 };
 
-/// From all zigzags with a rudder column and headings or yaw rates; without any, from such turns (of which T is
-/// little told). None where there are none.
+/// From all zigzags with a rudder column and headings or yaw rates; without any, from such turns (of which T
+/// is little told). None where there are none.
 std::optional<NomotoFit> fitNomoto(const std::vector<SeaTrial>& trials, double length_m);
 
 }  // namespace sagara::core

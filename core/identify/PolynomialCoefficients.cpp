@@ -24,7 +24,8 @@ const char* groupOf(const Column& column) {
 
 }  // namespace
 
-std::vector<Coefficient> polynomialCoefficients(const NamedModel& model, const std::set<std::string>& wanted) {
+std::vector<Coefficient> polynomialCoefficients(const NamedModel& model,
+                                                const std::set<std::string>& wanted) {
     std::vector<Coefficient> all;
     const auto& terms = std::get<PolynomialModel>(model.parameters).terms;
     for (std::size_t i = 0; i < terms.size(); ++i)
@@ -33,8 +34,9 @@ std::vector<Coefficient> polynomialCoefficients(const NamedModel& model, const s
             if (value == 0.0 || (!wanted.empty() && wanted.count(groupOf(column)) == 0)) continue;
             const std::string place = std::to_string(i);
             const auto member = column.member;
-            all.push_back({"terms[" + place + "]." + column.key, "", "/terms/" + place + "/" + column.key,
-                           [i, member](NamedModel& m) -> double& {
+            all.push_back({"terms[" + place + "]." + column.key, true, "",
+                           "/terms/" + place + "/" + column.key,
+                           [i, member](Vessel&, NamedModel& m) -> double& {
                                return std::get<PolynomialModel>(m.parameters).terms[i].*member;
                            },
                            priorShare(model.provenance.quality) * std::abs(value), -kAny, kAny});

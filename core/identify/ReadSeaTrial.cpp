@@ -4,7 +4,7 @@
 
 #include "core/base/Config.h"
 #include "core/base/Units.h"
-#include "core/identify/SeaTrial.h"
+#include "core/identify/CheckSeaTrial.h"
 
 namespace sagara::core {
 namespace {
@@ -94,9 +94,12 @@ public:
         for (const std::string_view line : split(text, '\n')) {
             ++m_line;
             if (line.empty()) continue;
-            if (line.front() == '#') readHeader(trimmed(line.substr(1)));
-            else if (m_columns.empty()) readNames(line);
-            else readRow(line);
+            if (line.front() == '#')
+                readHeader(trimmed(line.substr(1)));
+            else if (m_columns.empty())
+                readNames(line);
+            else
+                readRow(line);
         }
         finish();
         if (!m_problems.empty()) return m_problems;
@@ -143,7 +146,8 @@ private:
         m_kindTold = true;
         problem("is " + quoted(value), known, "kind");
     }
-    std::optional<double> headerNumber(std::string_view key, std::string_view value, double low, double high) {
+    std::optional<double> headerNumber(std::string_view key, std::string_view value, double low,
+                                       double high) {
         const auto number = numberIn(value);
         if (number && *number >= low && *number <= high) return number;
         problem("is " + quoted(value), between(low, high), key);
@@ -161,7 +165,8 @@ private:
             for (const ColumnName& c : kColumns)
                 if (name == c.name) found = &c;
             m_columns.push_back(found);
-            if (!found) problem("has a column " + quoted(name), columnNames());
+            if (!found)
+                problem("has a column " + quoted(name), columnNames());
             else if (!m_seen.insert(found->channel).second)
                 problem("has " + quoted(name) + " again", "each quantity once");
         }
@@ -197,12 +202,14 @@ private:
             problemOfFile("has " + std::to_string(m_rows) + " rows", "at most " + std::to_string(kMostRows));
         if (!m_problems.empty()) return;
         checkRows();
-        checkColumns();
-        unwrapHeading();
-        for (const Channel c : {Channel::Rudder, Channel::Shaft, Channel::Wave}) fillGaps(c);
+        for (const char* what : lackingIn(m_trial))
+            problemOfFile("is a trial of kind " + std::string(trialKindName(m_trial.kind)) + " without it",
+                          what);
+        tidy(m_trial);
     }
     void checkRows() {
-        const std::size_t least = m_trial.kind == TrialKind::Speed || m_trial.kind == TrialKind::Spiral ? 1 : 5;
+        const std::size_t least =
+            m_trial.kind == TrialKind::Speed || m_trial.kind == TrialKind::Spiral ? 1 : 5;
         if (m_rows < least)
             problemOfFile("has " + std::to_string(m_rows) + " rows", "at least " + std::to_string(least));
         const auto& times = m_trial[Channel::Time];
@@ -216,18 +223,6 @@ private:
             problemOfFile("is " + config::formatNumber(times.back() - times.front()) + " s long",
                           "at most " + config::formatNumber(kLongest_s) + " s");
     }
-    bool hasNumbers(Channel c) const {
-        for (const double v : m_trial[c])
-            if (std::isfinite(v)) return true;
-        return false;
-    }
-    void need(bool there, const char* what) {
-        if (!there)
-            problemOfFile("is a trial of kind " + std::string(trialKindName(m_trial.kind)) + " without it", what);
-    }
-    void checkColumns();
-    void unwrapHeading();
-    void fillGaps(Channel c);
 
     config::Problems m_problems;
     SeaTrial m_trial;
@@ -236,70 +231,6 @@ private:
     std::vector<const ColumnName*> m_columns;  ///< null: not known
     std::set<Channel> m_seen;
 };
-
-void TrialReader::checkColumns() {
-    const auto has = [&](Channel c) { return hasNumbers(c); };
-    const bool speed = has(Channel::Speed) || has(Channel::Surge);
-    const bool track = has(Channel::Heading) || has(Channel::YawRate) ||
-                       (has(Channel::North) && has(Channel::East));
-    using Kind = TrialKind;
-    const Kind kind = m_trial.kind;
-    if (kind != Kind::Speed && kind != Kind::Spiral) need(has(Channel::Time), "time_s");
-    if (kind == Kind::Turning || kind == Kind::Zigzag) {
-        need(track, "heading_deg, yaw_rate_degps, or x_m and y_m");
-        need(has(Channel::Rudder) || m_trial.rudder_rad, "a column rudder_deg or a line \"# rudder_deg: ...\"");
-    }
-    if (kind == Kind::Zigzag)
-        need(has(Channel::Rudder) || m_trial.switch_rad, "a column rudder_deg or a line \"# heading_deg: ...\"");
-    if (kind == Kind::Turning || kind == Kind::Zigzag || kind == Kind::Spiral || kind == Kind::Stopping)
-        need(speed || m_trial.approach_mps,
-             "surge_mps, speed_mps or speed_kn, or a line \"# approach_mps: ...\"");
-    if (kind == Kind::Stopping) {
-        need(speed || has(Channel::North), "surge_mps, speed_mps, speed_kn, or x_m");
-        need(has(Channel::Shaft) || m_trial.shaft_rps, "shaft_rps or shaft_rpm");
-    }
-    if (kind == Kind::Spiral) {
-        need(has(Channel::Rudder), "rudder_deg");
-        need(has(Channel::YawRate), "yaw_rate_degps");
-    }
-    if (kind == Kind::Speed) {
-        need(has(Channel::Shaft), "shaft_rps or shaft_rpm");
-        need(speed, "speed_mps, speed_kn or surge_mps");
-    }
-    if (kind == Kind::Decay) need(has(Channel::Roll), "roll_deg");
-    if (kind == Kind::MotionLog) {
-        need(has(Channel::Roll) || has(Channel::Pitch) || has(Channel::Heave), "roll_deg, pitch_deg or heave_m");
-        need(has(Channel::Wave), "wave_m");
-        need(m_trial.waveHeading_rad.has_value(), "a line \"# wave_heading_deg: ...\"");
-    }
-}
-
-void TrialReader::unwrapHeading() {
-    double last = 0.0;
-    bool any = false;
-    for (double& heading : m_trial[Channel::Heading]) {
-        if (!std::isfinite(heading)) continue;
-        if (any) heading -= kTwoPi * std::round((heading - last) / kTwoPi);
-        last = heading;
-        any = true;
-    }
-}
-
-/// What drives the ship has to be known all the time: straight across rows without a number.
-void TrialReader::fillGaps(Channel c) {
-    auto& values = m_trial[c];
-    std::size_t known = values.size();  // the last row with a number
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!std::isfinite(values[i])) continue;
-        const std::size_t from = known < i ? known : i;
-        for (std::size_t j = known < i ? known + 1 : 0; j < i; ++j)
-            values[j] = values[from] + (values[i] - values[from]) * static_cast<double>(j - from) /
-                                           static_cast<double>(std::max<std::size_t>(1, i - from));
-        if (from == i) std::fill(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(i), values[i]);
-        known = i;
-    }
-    for (std::size_t j = known; j + 1 < values.size(); ++j) values[j + 1] = values[known];
-}
 
 }  // namespace
 

@@ -41,13 +41,14 @@ struct State {
     friend State operator*(double s, const State& a) { return {s * a.x, s * a.rate}; }
 };
 
-/// One record of the motion. Shared unknowns: w, zeta, d; own: start, rate at the start, mean, and of the wave
-/// the parts in phase and a quarter later.
+/// One record of the motion. Shared unknowns: w, zeta, d; own: start, rate at the start, mean, and of the
+/// wave the parts in phase and a quarter later.
 class Record {
 public:
     Record(const SeaTrial& trial, Channel motion, const Vessel& vessel, const Swing& swing)
         : m_trial(trial), m_values(trial[motion]), m_roll(motion == Channel::Roll), m_swing(swing) {
-        constexpr double kEnds = 0.05;  // of a log: there its spectrum knows nothing of the wave before and after
+        constexpr double kEnds =
+            0.05;  // of a log: there its spectrum knows nothing of the wave before and after
         const bool waves = trial.kind == TrialKind::MotionLog;
         if (waves) m_drive.emplace(trial, motion, vessel.hull, 4.0 * swing.frequency_radps);
         m_first = waves ? static_cast<std::size_t>(kEnds * static_cast<double>(trial.rows())) : 0;
@@ -108,7 +109,8 @@ private:
         for (int i = 0; i < steps; ++i) {
             const double wave = m_drive ? push(from_s + (i + 0.5) * step_s, shared, own) : 0.0;
             state = rk4Step(state, step_s, [&](const State& s) {
-                return State{s.rate, wave - shared[0] * shared[0] * s.x - 2.0 * shared[1] * shared[0] * s.rate -
+                return State{s.rate, wave - shared[0] * shared[0] * s.x -
+                                         2.0 * shared[1] * shared[0] * s.rate -
                                          shared[2] * s.rate * std::abs(s.rate)};
             });
         }
@@ -118,7 +120,8 @@ private:
     double push(double time_s, std::span<const double> shared, std::span<const double> own) const {
         const double w = shared[0];
         const auto of = [&](const WaveDrive::Values& v) {
-            return m_roll ? w * w * v[0] : w * w * v[0] + 2.0 * shared[1] * w * v[1] + m_swing.addedShare * v[2];
+            return m_roll ? w * w * v[0]
+                          : w * w * v[0] + 2.0 * shared[1] * w * v[1] + m_swing.addedShare * v[2];
         };
         return own[3] * of(m_drive->inPhase(time_s)) + own[4] * of(m_drive->aQuarterLater(time_s));
     }
@@ -132,15 +135,18 @@ private:
     double m_mean = 0.0, m_rms = 0.0, m_deviation = 0.0;
 };
 
-FitProblem problemOf(const std::vector<Record>& records, const Swing& swing, Channel motion, double startShare) {
+FitProblem problemOf(const std::vector<Record>& records, const Swing& swing, Channel motion,
+                     double startShare) {
     FitProblem problem;
     const double w = startShare * swing.frequency_radps;
     const bool roll = motion == Channel::Roll;
-    problem.shared = {{w, 0.3 * w, 0.3 * w, 3.0 * w}, {swing.damping, std::max(0.1, swing.damping), 0.0, 1.5}};
+    problem.shared = {{w, 0.3 * w, 0.3 * w, 3.0 * w},
+                      {swing.damping, std::max(0.1, swing.damping), 0.0, 1.5}};
     problem.shared.push_back(roll ? Unknown{0.0, 2.0, 0.0, 20.0} : Unknown{0.0, 1e-6, 0.0, 1e-6});
     for (const Record& r : records)
-        problem.pieces.push_back({r.own(), r.rows(), 1.0 + r.duration_s() * w / kPi,
-                                  [&r](auto shared, auto own, auto out) { return r.misfit(shared, own, out); }});
+        problem.pieces.push_back(
+            {r.own(), r.rows(), 1.0 + r.duration_s() * w / kPi,
+             [&r](auto shared, auto own, auto out) { return r.misfit(shared, own, out); }});
     return problem;
 }
 
@@ -152,6 +158,17 @@ FitAnswer best(const std::vector<Record>& records, const Swing& swing, Channel m
         if (answer.found && (!found.found || answer.meanSquare < 0.98 * found.meanSquare)) found = answer;
     }
     return found;
+}
+
+void take(SwingFit& fit, const FitAnswer& answer) {
+    fit.frequency_radps = answer.shared[0];
+    fit.frequencyDeviation_radps = answer.deviation[0];
+    fit.linear = answer.shared[1];
+    fit.linearDeviation = answer.deviation[1];
+    if (fit.motion != Channel::Roll) return;
+    fit.quadratic = answer.shared[2];
+    fit.quadraticDeviation = answer.deviation[2];
+    fit.covariance = answer.covariance[1 * 3 + 2];
 }
 
 }  // namespace
@@ -185,13 +202,7 @@ std::optional<SwingFit> fitSwing(const Vessel& vessel, const std::vector<SeaTria
     if (!answer.found) return std::nullopt;
     for (std::size_t i = 0; i < records.size(); ++i) records[i].setDeviation(records[i].left(answer, i));
     if (const FitAnswer again = best(records, swing, motion); again.found) answer = again;
-    fit.frequency_radps = answer.shared[0];
-    fit.linear = answer.shared[1];
-    fit.quadratic = answer.shared[2];
-    fit.frequencyDeviation_radps = answer.deviation[0];
-    fit.linearDeviation = answer.deviation[1];
-    fit.quadraticDeviation = answer.deviation[2];
-    fit.covariance = answer.covariance[1 * 3 + 2];
+    take(fit, answer);
     double squares = 0.0, rows = 0.0;
     for (std::size_t i = 0; i < records.size(); ++i) {
         const auto count = static_cast<double>(records[i].rows());

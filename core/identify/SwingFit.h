@@ -8,11 +8,12 @@ namespace sagara::core {
 /// Roll, pitch or heave as a swing of its own,
 ///   x'' + 2 zeta w x' + d x' |x'| + w^2 x = wave,
 /// fitted to decays and motion logs by output error. The form of roll damping is that of Himeno (1981),
-/// "Prediction of ship roll damping", Univ. of Michigan report 239 (linear and quadratic; ITTC 7.5-02-07-04.5);
-/// heave and pitch have no d. Waves: roll is driven by the effective slope (Froude 1861; Conolly 1969), heave
-/// and pitch by the water's height or slope, velocity and acceleration relative to the ship (as core/motion
-/// does), each with a size and a phase that the fit finds, for probes are never quite at midship. How well each
-/// record can be followed is found by a first fit and taken as its noise in a second.
+/// "Prediction of ship roll damping", Univ. of Michigan report 239 (linear and quadratic;
+/// ITTC 7.5-02-07-04.5); heave and pitch have no d. Waves: roll is driven by the effective slope (Froude
+/// 1861; Conolly 1969), heave and pitch by the water's height or slope, velocity and acceleration relative to
+/// the ship (as core/motion does), each with a size and a phase that the fit finds, for probes are never
+/// quite at midship. How well each record can be followed is found by a first fit and taken as its noise in a
+/// second.
 struct SwingFit {
     Channel motion = Channel::Roll;
     double frequency_radps = 0.0, frequencyDeviation_radps = 0.0;

@@ -52,9 +52,9 @@ std::vector<Coefficient> transferCoefficients(const NamedModel& model, const std
         if (value == 0.0 || (sways && !saysSway(model))) continue;
         if (!wanted.empty() && wanted.count(row.group) == 0) continue;
         const auto member = row.member;
-        all.push_back({row.key, "", std::string("/") + row.key,
-                       [member](NamedModel& m) -> double& { return transferOf(m).*member; },
-                       kShare * std::abs(value), row.low, row.high});
+        all.push_back({row.key, true, "", std::string("/") + row.key,
+                       [member](Vessel&, NamedModel& m) -> double& { return transferOf(m).*member; },
+                       kShare* std::abs(value), row.low, row.high});
     }
     return all;
 }

@@ -25,8 +25,7 @@ double share(Channel motion, const Hull& hull, double k_radpm, double heading_ra
     if (motion == Channel::Roll)
         return smith * k_radpm * std::sin(heading_rad) * shapeFactors(along).mean *
                shapeFactors(across).slope;
-    return smith * k_radpm * std::cos(heading_rad) * shapeFactors(along).slope *
-           shapeFactors(across).mean;
+    return smith * k_radpm * std::cos(heading_rad) * shapeFactors(along).slope * shapeFactors(across).mean;
 }
 
 }  // namespace
@@ -89,7 +88,8 @@ WaveDrive::WaveDrive(const SeaTrial& log, Channel motion, const Hull& hull, doub
 }
 
 WaveDrive::Values WaveDrive::at(const std::vector<Values>& series, double time_s) const {
-    const double place = std::clamp((time_s - m_from_s) / m_step_s, 0.0, static_cast<double>(series.size() - 1));
+    const double place =
+        std::clamp((time_s - m_from_s) / m_step_s, 0.0, static_cast<double>(series.size() - 1));
     const std::size_t i = std::min(static_cast<std::size_t>(place), series.size() - 2);
     const double share = place - static_cast<double>(i);
     Values v;
