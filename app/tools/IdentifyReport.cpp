@@ -55,7 +55,9 @@ std::string untoldLines(const core::ManoeuvreFit& fit) {
     if (fit.coefficients.empty()) return {};
     const auto sharp =
         std::count_if(fit.sharpness.begin(), fit.sharpness.end(), [](double s) { return s > 1.0; });
-    std::string text = "What the trials cannot determine\n";
+    std::string text =
+        fmt::format("Left over all: {:.2f} of what a good trial can measure\n\n", std::sqrt(fit.meanSquare));
+    text += "What the trials cannot determine\n";
     text += fmt::format("  They know {} of {} independent combinations better than was believed before.\n",
                         sharp, fit.sharpness.size());
     std::string untold;

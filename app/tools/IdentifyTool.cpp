@@ -1,5 +1,7 @@
 #include "app/tools/IdentifyTool.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/files/Files.h"
@@ -23,6 +25,17 @@ std::string unknownGroups(const core::NamedModel& model, const std::vector<std::
         if (known.count(w) == 0) unknown += (unknown.empty() ? "" : ", ") + w;
     return unknown.empty() ? unknown
                            : "--fit: model " + model.name + " has no " + unknown + ", expected " + names;
+}
+
+/// Trials in water that she does not float in; empty: none.
+std::string aground(const core::Vessel& vessel, const std::vector<core::SeaTrial>& trials) {
+    std::string text;
+    for (const core::SeaTrial& t : trials)
+        if (t.depth_m <= vessel.hull.draught_m)
+            text += (text.empty() ? "" : "\n") +
+                    fmt::format("{}: depth_m is {:g}, expected more than her draught, {:g} m", t.name,
+                                t.depth_m, vessel.hull.draught_m);
+    return text;
 }
 
 std::vector<core::SwingFit> swingsOf(const core::Vessel& vessel, const std::vector<core::SeaTrial>& trials) {
@@ -56,6 +69,8 @@ int runIdentify(const run::Store& store, const IdentifyOptions& o) {
     if (!vessel || !trials) return run::kBadRequest;
     const core::NamedModel& model = *vessel->model(o.ship.model).value();
     if (const std::string wrong = unknownGroups(model, o.fit); !wrong.empty())
+        return run::tell(wrong), run::kBadRequest;
+    if (const std::string wrong = aground(*vessel, *trials); !wrong.empty())
         return run::tell(wrong), run::kBadRequest;
 
     run::Progress progress;

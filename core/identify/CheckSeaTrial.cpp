@@ -21,7 +21,9 @@ public:
     void need(bool there, const char* what) {
         if (!there) m_lacking.push_back(what);
     }
+    /// Before a turn she makes way.
     void approach() {
+        if (m_trial.approach_mps) need(*m_trial.approach_mps > 0.0, "a \"# approach_mps\" of more than 0");
         need(speed() || m_trial.approach_mps,
              "surge_mps, speed_mps or speed_kn, or a line \"# approach_mps: ...\"");
     }

@@ -67,6 +67,10 @@ TEST_F(Identify, WhatCannotBeDoneIsRefused) {
     write("trials/speed.csv", "# kind: speed\nshaft_rpm,speed_kn\n90,13\n");
     refused(identify({"--vessel", "kvlcc2", "--fit", "luck"}),
             "--fit: model mmg has no luck, expected astern, hull, rudder, wake");
+    write("trials/deep.csv", "# kind: decay\n# depth_m: 20\ntime_s,roll_deg\n0,1\n1,2\n2,3\n3,4\n4,5\n");
+    refused(identify({"--vessel", "kvlcc2"}),
+            "deep.csv: depth_m is 20, expected more than her draught, 20.8 m");
+    std::filesystem::remove(at("trials/deep.csv"));
     const Outcome nowhere = sim({"identify", "--vessel", "kvlcc2", "--trials", at("trials"), "--fit", "hull",
                                  "--out", at("no/such/folder.json")});
     EXPECT_EQ(nowhere.exitCode, 1) << nowhere.err;
