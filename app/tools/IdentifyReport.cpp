@@ -90,7 +90,7 @@ std::string nomotoLines(const Identified& found) {
     return text + "\n";
 }
 
-std::string swingLines(const std::vector<core::SwingFit>& swings) {
+std::string swingLines(const std::vector<core::SwingFit>& swings, const core::Hull& hull) {
     std::string text;
     for (const core::SwingFit& s : swings) {
         const bool heave = s.motion == core::Channel::Heave, roll = s.motion == core::Channel::Roll;
@@ -105,6 +105,10 @@ std::string swingLines(const std::vector<core::SwingFit>& swings) {
             fmt::format("; at {:.2f} {} together {:.4f} +- {:.4f}; left {:.2f} {} rms{}\n",
                         s.amplitude / unit, in, s.equivalent(s.amplitude), s.equivalentDeviation(s.amplitude),
                         s.rms / unit, in, s.told() ? "" : "; too little told to be written");
+        if (!roll) continue;
+        const core::RollMoment moment = core::rollMomentOf(s, hull);
+        text += fmt::format("  as a moment: -({:.4g} N m s + {:.4g} N m s2 |p|) p\n", moment.linear_Nms,
+                            moment.quadratic_Nms2);
     }
     return text.empty() ? text : text + "\n";
 }
@@ -114,7 +118,8 @@ std::string swingLines(const std::vector<core::SwingFit>& swings) {
 std::string identifyReport(const Identified& found) {
     std::string text = fmt::format("{}, model {}\n\n", found.vessel, found.model);
     text += trialLines(found.manoeuvres) + coefficientLines(found.manoeuvres);
-    text += nomotoLines(found) + swingLines(found.swings) + untoldLines(found.manoeuvres);
+    text += nomotoLines(found) + swingLines(found.swings, found.manoeuvres.vessel.hull) +
+            untoldLines(found.manoeuvres);
     for (const std::string& name : found.unused) text += name + ": tells nothing of this model\n";
     return text;
 }

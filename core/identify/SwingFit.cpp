@@ -183,6 +183,12 @@ double SwingFit::equivalentDeviation(double atAmplitude) const {
                                        slope * slope * quadraticDeviation * quadraticDeviation));
 }
 
+RollMoment rollMomentOf(const SwingFit& roll, const Hull& hull) {
+    const double stiffness_Nm = hull.mass_kg() * kGravity_mps2 * hull.metacentricHeight_m;
+    const double inertia_kgm2 = stiffness_Nm / (roll.frequency_radps * roll.frequency_radps);
+    return {2.0 * roll.linear * roll.frequency_radps * inertia_kgm2, roll.quadratic * inertia_kgm2};
+}
+
 bool SwingFit::told() const { return equivalentDeviation(amplitude) < equivalent(amplitude) / 3.0; }
 
 std::optional<SwingFit> fitSwing(const Vessel& vessel, const std::vector<SeaTrial>& trials, Channel motion) {

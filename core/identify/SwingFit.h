@@ -33,6 +33,14 @@ struct SwingFit {
     double covariance = 0.0;
 };
 
+/// Roll damping as a moment, -(linear + quadratic |p|) p: the form that core/seakeeping calls viscous roll.
+/// Of all damping that was measured, that by radiated waves included.
+struct RollMoment {
+    double linear_Nms = 0.0;
+    double quadratic_Nms2 = 0.0;
+};
+RollMoment rollMomentOf(const SwingFit& roll, const Hull& hull);
+
 /// From all decays and motion logs that have this motion (decays: roll alone); none where there are none or
 /// none that could be followed. `vessel` gives the first guess of frequency and damping.
 std::optional<SwingFit> fitSwing(const Vessel& vessel, const std::vector<SeaTrial>& trials, Channel motion);

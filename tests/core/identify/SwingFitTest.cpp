@@ -54,13 +54,21 @@ TEST(SwingFit, DecayGivesLinearAndQuadraticDamping) {
         csv += row({i * kStep_s, r.angle / kDegree_rad + 0.1 * noise()});
         r = rk4Step(r, kStep_s, [](const Roll& x) { return rollRate(x, 0.0); });
     }
-    const auto fit = fitSwing(shipped("patrol51"), {readSeaTrial("decay.csv", csv).value()}, Channel::Roll);
+    const Vessel ship = shipped("patrol51");
+    const auto fit = fitSwing(ship, {readSeaTrial("decay.csv", csv).value()}, Channel::Roll);
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->frequency_radps / kW, 1.0, 0.002);
     EXPECT_NEAR(fit->linear / kZeta, 1.0, 0.05);
     EXPECT_NEAR(fit->quadratic / kD, 1.0, 0.1);
     EXPECT_TRUE(fit->told());
     EXPECT_NEAR(fit->rms, 0.1 * kDegree_rad, 0.02 * kDegree_rad);
+    // As a moment it takes as much from a swing: inertia times the equation's own terms.
+    const Hull& hull = ship.hull;
+    const double inertia_kgm2 = hull.mass_kg() * kGravity_mps2 * hull.metacentricHeight_m /
+                                (fit->frequency_radps * fit->frequency_radps);
+    const RollMoment moment = rollMomentOf(*fit, hull);
+    EXPECT_NEAR(moment.linear_Nms / (2.0 * kZeta * kW * inertia_kgm2), 1.0, 0.05);
+    EXPECT_NEAR(moment.quadratic_Nms2 / (kD * inertia_kgm2), 1.0, 0.1);
 }
 
 /// The 1:68 model of KVLCC2, extreme angles of every half swing. The file: period 2 %, damping 25 %.
