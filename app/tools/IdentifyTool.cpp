@@ -30,11 +30,12 @@ std::string unknownGroups(const core::NamedModel& model, const std::vector<std::
 /// Trials in water that she does not float in; empty: none.
 std::string aground(const core::Vessel& vessel, const std::vector<core::SeaTrial>& trials) {
     std::string text;
-    for (const core::SeaTrial& t : trials)
-        if (t.depth_m <= vessel.hull.draught_m)
-            text += (text.empty() ? "" : "\n") +
-                    fmt::format("{}: depth_m is {:g}, expected more than her draught, {:g} m", t.name,
-                                t.depth_m, vessel.hull.draught_m);
+    for (const core::SeaTrial& t : trials) {
+        if (t.depth_m > vessel.hull.draught_m) continue;
+        if (!text.empty()) text += '\n';
+        text += fmt::format("{}: depth_m is {:g}, expected more than her draught, {:g} m", t.name, t.depth_m,
+                            vessel.hull.draught_m);
+    }
     return text;
 }
 

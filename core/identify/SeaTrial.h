@@ -42,8 +42,8 @@ struct SeaTrial {
     TrialKind kind = TrialKind::Turning;
     std::optional<double> approach_mps;
     std::optional<double> shaft_rps;
-    std::optional<double> rudder_rad;  ///< ordered; of the first execute
-    std::optional<double> switch_rad;  ///< heading at which a zigzag is reversed
+    std::optional<double> rudder_rad;       ///< ordered; of the first execute
+    std::optional<double> switch_rad;       ///< heading at which a zigzag is reversed
     std::optional<double> waveHeading_rad;  ///< heading less direction of travel: 180 deg head sea
     double depth_m = std::numeric_limits<double>::infinity();
     /// Columns of equal length, empty where there is none; a cell left empty is NaN. Time rises, headings are

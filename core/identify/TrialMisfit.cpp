@@ -46,10 +46,14 @@ TrialMisfit::TrialMisfit(const SeaTrial& trial, double length_m) : m_trial(trial
     else if (trial.kind == TrialKind::Spiral)
         m_watched = {{Channel::Rudder, kRudder_rad}};
     else
-        m_watched = {{Channel::North, kPosition_L * length_m}, {Channel::East, kPosition_L * length_m},
-                     {Channel::Heading, kHeading_rad},         {Channel::Surge, kSpeed * U_mps},
-                     {Channel::Sway, kSpeed * U_mps},          {Channel::Speed, kSpeed * U_mps},
-                     {Channel::YawRate, yaw_radps},            {Channel::Roll, kRoll_rad}};
+        m_watched = {{Channel::North, kPosition_L * length_m},
+                     {Channel::East, kPosition_L * length_m},
+                     {Channel::Heading, kHeading_rad},
+                     {Channel::Surge, kSpeed * U_mps},
+                     {Channel::Sway, kSpeed * U_mps},
+                     {Channel::Speed, kSpeed * U_mps},
+                     {Channel::YawRate, yaw_radps},
+                     {Channel::Roll, kRoll_rad}};
     for (const Watched& w : m_watched) {
         const auto& column = trial[w.channel];
         const auto there = static_cast<std::size_t>(

@@ -7,8 +7,8 @@
 namespace sagara::core {
 
 /// How a ship differs from a trial, channel by channel, in units of what a good trial can measure: position
-/// 0.02 L, heading 1 deg, speeds 2 % of the approach, yaw rate 2 % of U/L, roll 0.5 deg; a spiral's rudder 0.5
-/// deg. These only say how channels count against each other: the fit finds out how large misfits are.
+/// 0.02 L, heading 1 deg, speeds 2 % of the approach, yaw rate 2 % of U/L, roll 0.5 deg; a spiral's rudder
+/// 0.5 deg. These only say how channels count against each other: the fit finds out how large misfits are.
 class TrialMisfit {
 public:
     TrialMisfit(const SeaTrial& trial, double length_m);
