@@ -52,5 +52,6 @@ void addWindLoad(Commands& commands);
 void addSquat(Commands& commands);
 void addRao(Commands& commands);
 void addHydrostatics(Commands& commands);
+void addIdentify(Commands& commands);
 
 }  // namespace sagara::sim

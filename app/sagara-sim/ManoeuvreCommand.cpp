@@ -12,13 +12,15 @@ void addManoeuvre(Commands& commands) {
     CLI::App* manoeuvre = commands.add("manoeuvre", "run a standard manoeuvre of a vessel in calm water",
                                        [o](run::Store& store) { return tools::runManoeuvre(store, *o); });
     addVesselOptions(*manoeuvre, o->ship)->required();
-    manoeuvre->add_option("--test", o->test, "turning, zigzag, spiral, stopping or pullout")
+    manoeuvre->add_option("--test", o->test, "turning, zigzag, spiral, reverse-spiral, stopping or pullout")
         ->required()
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Test>{{"turning", Test::Turning},
-                                                                        {"zigzag", Test::Zigzag},
-                                                                        {"spiral", Test::Spiral},
-                                                                        {"stopping", Test::Stopping},
-                                                                        {"pullout", Test::Pullout}}));
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, Test>{{"turning", Test::Turning},
+                                                                {"zigzag", Test::Zigzag},
+                                                                {"spiral", Test::Spiral},
+                                                                {"reverse-spiral", Test::ReverseSpiral},
+                                                                {"stopping", Test::Stopping},
+                                                                {"pullout", Test::Pullout}}));
     manoeuvre->add_option("--rudder-deg", o->rudder_deg, "positive to starboard (usual for the test)")
         ->check(between(-90.0, 90.0));
     manoeuvre->add_option("--heading-deg", o->heading_deg, "at which a zigzag switches (as the rudder)")

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
              addSquat,
              addRao,
              addHydrostatics,
+             addIdentify,
          }) {
         add(commands);
     }

@@ -38,7 +38,7 @@ int runForces(const run::Store& store, const ForcesOptions& o) {
     const core::Actuators a = actuatorsOf(o);
     const core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m);
     const core::HullForces f = ship.dynamics().hullForces(m, a, o.ship.depth_m);
-    const core::ShipMotion rate = ship.dynamics().derivative(m, a, {}, {}, {}, o.ship.depth_m);
+    const core::ShipMotion rate = ship.dynamics().derivative(m, a, {}, {}, o.ship.depth_m);
     Table table({"u_mps",
                  "v_mps",
                  "r_radps",

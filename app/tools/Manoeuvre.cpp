@@ -8,6 +8,7 @@
 #include "core/base/Units.h"
 #include "core/identify/CrashStop.h"
 #include "core/identify/Pullout.h"
+#include "core/identify/ReverseSpiral.h"
 #include "core/identify/Spiral.h"
 #include "core/identify/TrialShip.h"
 #include "core/identify/TurningCircle.h"
@@ -24,6 +25,7 @@ double usualRudder_deg(ManoeuvreOptions::Test test) {
         case Test::Zigzag:
             return 10.0;
         case Test::Spiral:
+        case Test::ReverseSpiral:
             return 25.0;
         case Test::Pullout:
             return 20.0;
@@ -67,6 +69,8 @@ core::Trial tryManoeuvre(const core::Vessel& vessel, const ManoeuvreOptions& o) 
                 options);
         case Test::Spiral:
             return core::runSpiral(ship, {.rudder_rad = rudder_rad}, options);
+        case Test::ReverseSpiral:
+            return core::runReverseSpiral(ship, {.rudder_rad = rudder_rad}, options);
         case Test::Pullout:
             return core::runPullout(ship, {.rudder_rad = rudder_rad}, options);
         case Test::Stopping:

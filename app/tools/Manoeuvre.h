@@ -11,7 +11,7 @@ namespace sagara::tools {
 
 /// What `sagara-sim manoeuvre` was asked to do.
 struct ManoeuvreOptions {
-    enum class Test { Turning, Zigzag, Spiral, Stopping, Pullout };
+    enum class Test { Turning, Zigzag, Spiral, ReverseSpiral, Stopping, Pullout };
     VesselChoice ship;
     Test test = Test::Turning;
     std::optional<double> rudder_deg;    ///< positive to starboard; none: usual for the test

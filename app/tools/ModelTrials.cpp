@@ -46,7 +46,7 @@ double yawFromDrift(const core::Vessel& vessel, const std::string& model, double
     m.surge_mps = speed_mps * std::cos(kDrift_rad);
     const auto yaw = [&](double sway_mps) {
         m.sway_mps = sway_mps;
-        return ship.dynamics().derivative(m, actuators, {}, {}, {}).yawRate_radps;
+        return ship.dynamics().derivative(m, actuators, {}, {}).yawRate_radps;
     };
     const double drift_mps = speed_mps * std::sin(kDrift_rad);
     const double unit = std::pow(speed_mps / vessel.hull.lengthBp_m, 2);
@@ -56,7 +56,7 @@ double yawFromDrift(const core::Vessel& vessel, const std::string& model, double
 }  // namespace
 
 ModelTrials runModelTrials(const std::string& name, const core::Vessel& vessel, const std::string& model,
-                           const ModelTask& task) {
+                           const ModelTask& task, const std::shared_ptr<const core::SeaHull>& hull) {
     using Test = ManoeuvreOptions::Test;
     ModelTrials t;
     t.name = name;
@@ -75,11 +75,12 @@ ModelTrials runModelTrials(const std::string& name, const core::Vessel& vessel, 
     t.shallowDiameter = ratio(tryManoeuvre(vessel, turn), t.turn);
     t.speedLeft = speedLeft(vessel, model, task.speed_mps);
     t.yawFromDrift = yawFromDrift(vessel, model, task.speed_mps);
+    const core::ShipDynamics ship(vessel, model, hull);
     for (const double omega_radps : task.omegas_radps) {
         const double lambda_m = core::kTwoPi * core::kGravity_mps2 / (omega_radps * omega_radps);
         t.waves.push_back({omega_radps, lambda_m / t.length_m,
-                           answerToWave(vessel, model, omega_radps, core::kPi, task.waveAmplitude_m),
-                           answerToWave(vessel, model, omega_radps, 0.5 * core::kPi, task.waveAmplitude_m)});
+                           answerToWave(ship, omega_radps, core::kPi, task.waveAmplitude_m),
+                           answerToWave(ship, omega_radps, 0.5 * core::kPi, task.waveAmplitude_m)});
     }
     return t;
 }

@@ -37,7 +37,8 @@ struct ModelTrials {
     std::vector<InWave> waves;
 };
 
+/// `hull`: of the vessel, ready for the sea.
 ModelTrials runModelTrials(const std::string& name, const core::Vessel& vessel, const std::string& model,
-                           const ModelTask& task);
+                           const ModelTask& task, const std::shared_ptr<const core::SeaHull>& hull);
 
 }  // namespace sagara::tools

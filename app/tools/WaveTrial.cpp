@@ -8,7 +8,6 @@
 
 #include "core/base/Units.h"
 #include "core/motion/RungeKutta.h"
-#include "core/motion/ShipDynamics.h"
 #include "core/sea/Dispersion.h"
 
 namespace sagara::tools {
@@ -31,29 +30,30 @@ double firstHarmonic(const std::vector<double>& period) {
 
 }  // namespace
 
-WaveAnswer answerToWave(const core::Vessel& vessel, std::string_view model, double omega_radps,
-                        double relativeHeading_rad, double amplitude_m) {
+WaveAnswer answerToWave(const core::ShipDynamics& ship, double omega_radps, double relativeHeading_rad,
+                        double amplitude_m) {
     const auto table = core::WaveTable::regular(omega_radps, 0.0, core::kDeep_m);
     const core::SeaState sea{{}, {0}, {amplitude_m}};
-    const core::ShipDynamics ship(vessel, table, model);
     const double period_s = core::kTwoPi / omega_radps;
     const int perPeriod = std::max(100, static_cast<int>(std::ceil(period_s / 0.05)));
     const double step_s = period_s / perPeriod;
-    const double settle_s = std::max(kSettlePeriods * period_s,
-                                     kSettle * std::sqrt(vessel.hull.lengthBp_m / core::kGravity_mps2));
+    const double settle_s =
+        std::max(kSettlePeriods * period_s, kSettle * std::sqrt(ship.length_m() / core::kGravity_mps2));
     const int settle = static_cast<int>(std::ceil(settle_s / period_s)) * perPeriod;
     auto waves = std::make_unique<core::ActiveWaves>();
-    core::ShipMotion m;
+    core::MovingShip moving;
+    core::ShipMotion& m = moving.motion;
     m.heading_rad = relativeHeading_rad;
     std::vector<double> heave, roll, pitch;
     for (int i = 0; i <= settle + perPeriod; ++i) {
         if (i >= settle) heave.push_back(m.down_m), roll.push_back(m.roll_rad), pitch.push_back(m.pitch_rad);
         const auto middle_us = static_cast<std::int64_t>(1e6 * (i + 0.5) * step_s);
         core::activeWaves(table, sea, core::SimTime{middle_us}, *waves);
-        const core::WaveEffect effect = ship.waveLoad().at(sea, *waves, {}, relativeHeading_rad, 1.0);
-        m = core::rk4Step(m, step_s,
-                          [&](const core::ShipMotion& x) { return ship.derivative(x, {}, {}, effect, {}); });
-        m.north_m = m.east_m = m.surge_mps = m.sway_mps = m.yawRate_radps = 0.0;
+        const core::WaveEffect effect = ship.wavesAt(*waves, {}, relativeHeading_rad, m.surge_mps, 1.0);
+        moving = core::rk4Step(moving, step_s, [&](const core::MovingShip& x) {
+            return ship.derivative(x, {}, {}, effect, {});
+        });
+        m.yawRate_radps = 0.0;
         m.heading_rad = relativeHeading_rad;
     }
     const double slope = amplitude_m * omega_radps * omega_radps / core::kGravity_mps2;

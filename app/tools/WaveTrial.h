@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string_view>
-
-#include "core/vessel/Vessel.h"
+#include "core/motion/ShipDynamics.h"
 
 namespace sagara::tools {
 
-/// How a vessel answers a regular wave at rest, as an exercise moves her, held at her place and heading.
+/// How a vessel answers a regular wave at rest, as an exercise moves her, held on her heading in the waves of
+/// one place.
 struct WaveAnswer {
     // First harmonic over the wave's amplitude, or over its slope.
     double heave = 0.0;
@@ -16,8 +15,8 @@ struct WaveAnswer {
         0.0;  ///< mean heave gained each period, over the wave's amplitude: 0 for one that floats
 };
 
-/// `model`: see ShipDynamics. Heading less the direction the wave travels to: 180 deg is a head sea.
-WaveAnswer answerToWave(const core::Vessel& vessel, std::string_view model, double omega_radps,
-                        double relativeHeading_rad, double amplitude_m);
+/// Heading less the direction the wave travels to: 180 deg is a head sea.
+WaveAnswer answerToWave(const core::ShipDynamics& ship, double omega_radps, double relativeHeading_rad,
+                        double amplitude_m);
 
 }  // namespace sagara::tools

@@ -54,6 +54,7 @@ public:
 
     /// Mass that a blow from the side has to stop: ship and added mass in sway.
     double lateralMass_kg() const { return m_swayMass_kg; }
+    double length_m() const { return m_hull.lengthBp_m; }
     double heaveStiffness_Npm() const { return m_springs.heaveStiffness; }
 
 private:

@@ -1,6 +1,7 @@
 # Third-party libraries, all Debian 12 packages listed in packaging/dependencies.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Ceres 2.1 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)

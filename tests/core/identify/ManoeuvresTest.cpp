@@ -1,9 +1,11 @@
-#include "core/identify/Spiral.h"
+#include "core/identify/ReverseSpiral.h"
 
 #include <gtest/gtest.h>
 
 #include "core/identify/Decay.h"
 #include "core/identify/Pullout.h"
+#include "core/identify/ReplayShip.h"
+#include "core/identify/Spiral.h"
 #include "core/identify/TrialShip.h"
 #include "core/identify/Zigzag.h"
 #include "tests/support/Assets.h"
@@ -27,6 +29,36 @@ TEST(Spiral, OfAStableShipHasNoLoopAndMirrorsItself) {
         EXPECT_NEAR(*trial.measure(name), -*trial.measure(other), 1e-3) << name;
         EXPECT_GT(*trial.measure(name), 0.0) << name;
     }
+}
+
+/// KVLCC2 is not stable on her course: between the ends of the loop the rudder that holds a turn to starboard
+/// is to port. Every angle is where her equations balance; 0.05 deg, for it is a length's mean.
+TEST(ReverseSpiral, TellsTheBranchThatTheDirectOneJumpsOver) {
+    TrialShip ship(loadVessel("kvlcc2", test::readAsset("vessels/kvlcc2.json")).value());
+    TrialOptions options;
+    options.approach = ship.holding(7.97);
+    options.step_s = 0.2;
+    const Trial trial = runReverseSpiral(ship, {}, options);
+    ASSERT_EQ(trial.end, TrialEnd::Completed);
+    const ReplayShip balance(ship.vessel(), {}, kDeepWater_m);
+    int angles = 0;
+    for (const TrialMeasure& m : trial.measures) {
+        const std::string begin = "rudder_deg_at_";
+        if (m.name.rfind(begin, 0) != 0) continue;
+        const double r_dps = std::stod(m.name.substr(begin.size()));
+        const auto rudder_rad = balance.steadyRudder_rad(r_dps * kDegree_rad, options.approach->shaft_rps,
+                                                         7.97, m.value * kDegree_rad);
+        ASSERT_TRUE(rudder_rad) << m.name;
+        EXPECT_NEAR(m.value, *rudder_rad / kDegree_rad, 0.05) << m.name;
+        ++angles;
+    }
+    EXPECT_EQ(angles, 17);
+    const Trial direct = runSpiral(ship, {.rudder_rad = 10.0 * kDegree_rad}, options);
+    std::printf("width of the loop: reverse spiral %.2f deg, direct %.2f deg\n",
+                *trial.measure("spiral_width_deg"), *direct.measure("spiral_width_deg"));
+    // Rates in steps of a sixteenth miss the very ends of the loop; the direct spiral finds them to 0.03 deg.
+    EXPECT_NEAR(*trial.measure("spiral_width_deg"), *direct.measure("spiral_width_deg"), 0.15);
+    EXPECT_GT(*trial.measure("spiral_width_deg"), 0.0);
 }
 
 TEST(Pullout, OfAStableShipEndsOnAStraightCourse) {
