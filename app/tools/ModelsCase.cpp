@@ -170,12 +170,14 @@ ValidationOutcome runModelsCase(const ValidationContext& context, Reader& in) {
     if (!in.sound()) return outcome;
     const auto ship = openVessel(context.documents, VesselChoice{c.vessel, {}});
     if (!ship) return outcome.trouble = ship.error(), outcome;
+    const auto hulls =
+        context.documents.hulls() ? context.documents.hulls() : std::make_shared<core::SeaHulls>();
     std::vector<ModelTrials> models;
     for (const ComparedModel& m : c.models) {
         const auto vessel = openVessel(context.documents, VesselChoice{m.vessel, m.model});
         if (!vessel) return outcome.trouble = vessel.error(), outcome;
         c.task.omegas_radps = frequencies_radps(c, vessel->hull.lengthBp_m);
-        models.push_back(runModelTrials(m.name, *vessel, m.model, c.task));
+        models.push_back(runModelTrials(m.name, *vessel, m.model, c.task, hulls->of(vessel->hull)));
         models.back().of = m.of;
         if (m.ridesLongWaves)
             outcome.rows.push_back({.quantity = m.name + ": heave in a long wave",

@@ -22,7 +22,7 @@ double fallsThroughZero(double low, double high, F&& f) {
 }  // namespace
 
 ReplayShip::ReplayShip(const Vessel& vessel, std::string_view model, double depth_m)
-    : m_vessel(vessel), m_dynamics(m_vessel, m_calm, model), m_depth_m(depth_m) {}
+    : m_vessel(vessel), m_dynamics(m_vessel, model), m_depth_m(depth_m) {}
 
 Actuators ReplayShip::actuators(double rudder_rad, double shaft_rps) const {
     Actuators a;
@@ -39,14 +39,13 @@ Actuators ReplayShip::actuators(double rudder_rad, double shaft_rps) const {
 }
 
 ShipMotion ReplayShip::rate(const ShipMotion& m, double rudder_rad, double shaft_rps) const {
-    return m_dynamics.derivative(m, actuators(rudder_rad, shaft_rps), {}, {}, {}, m_depth_m);
+    return m_dynamics.derivative(m, actuators(rudder_rad, shaft_rps), {}, {}, m_depth_m);
 }
 
 void ReplayShip::step(double rudder_rad, double shaft_rps, double step_s) {
     const Actuators now = actuators(rudder_rad, shaft_rps);
-    motion = rk4Step(motion, step_s, [&](const ShipMotion& m) {
-        return m_dynamics.derivative(m, now, {}, {}, {}, m_depth_m);
-    });
+    motion = rk4Step(motion, step_s,
+                     [&](const ShipMotion& m) { return m_dynamics.derivative(m, now, {}, {}, m_depth_m); });
 }
 
 double ReplayShip::holdingShaft_rps(double speed_mps) const {

@@ -36,7 +36,6 @@ public:
 
 private:
     Vessel m_vessel;
-    WaveTable m_calm{1, 1e6};
     ShipDynamics m_dynamics;
     double m_depth_m;
 };

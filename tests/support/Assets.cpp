@@ -1,7 +1,5 @@
 #include "tests/support/Assets.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -18,15 +16,6 @@ std::string readFile(const std::string& path) {
 
 std::string readAsset(const std::string& pathUnderAssets) {
     return readFile(std::string(SAGARA_ASSETS) + "/" + pathUnderAssets);
-}
-
-std::vector<std::string> assetIds(const std::string& folderUnderAssets) {
-    std::vector<std::string> ids;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(SAGARA_ASSETS) + "/" + folderUnderAssets))
-        if (entry.path().extension() == ".json") ids.push_back(entry.path().stem().string());
-    std::sort(ids.begin(), ids.end());
-    return ids;
 }
 
 }  // namespace sagara::test

@@ -10,6 +10,7 @@
 #include "core/motion/ShipDynamics.h"
 #include "core/sea/Beaufort.h"
 #include "tests/support/Assets.h"
+#include "tests/support/ShippedVessels.h"
 #include "tests/support/hulls/Tables.h"
 
 namespace sagara::core {
@@ -98,12 +99,8 @@ TEST_P(HeavySea, AnHourOfBeaufort8FromAllSidesLeavesHerFiniteAndHerEnergyBounded
     EXPECT_LT(pitch_rad, 30.0 * kDegree_rad);
     EXPECT_LT(roll_rad, 60.0 * kDegree_rad);
 }
-INSTANTIATE_TEST_SUITE_P(Shipped, HeavySea, ::testing::ValuesIn(test::assetIds("vessels")),
-                         [](const auto& row) {
-                             std::string name = row.param;
-                             std::erase(name, '-');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Shipped, HeavySea, ::testing::ValuesIn(test::shippedVessels()),
+                         [](const auto& row) { return test::testName(row.param); });
 
 }  // namespace
 }  // namespace sagara::core
