@@ -33,7 +33,14 @@ double row(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-double ahead(const ShipMotion& m) { return std::max(0.0, m.surge_mps); }
+/// Speed up to which strip theory is asked: that of the tables, and where the moment of a hull that pitches
+/// at speed, U^2 A33, takes no more than a quarter of what rights her. Beyond (short beamy hulls, planing
+/// craft) it would turn her over on calm water; she keeps the terms of that speed.
+double fastest_mps(const SeaHull& hull, const Matrix6& slow) {
+    const double added_kg = slow(kHeave, kHeave) - hull.mass(kHeave, kHeave);
+    return std::min(hull.speeds_mps.back(),
+                    0.5 * std::sqrt(std::max(0.0, hull.restoring(kPitch, kPitch)) / added_kg));
+}
 
 }  // namespace
 
@@ -42,7 +49,8 @@ SeaMotion::SeaMotion(std::shared_ptr<const SeaHull> hull, bool ownsRoll,
     : m_hull(std::move(hull)),
       m_ownsRoll(ownsRoll),
       m_rollDamping(rollDamping),
-      m_slow(sum(sum(m_hull->mass, m_hull->addedMass), m_hull->memory.slowAddedMass())) {
+      m_slow(sum(sum(m_hull->mass, m_hull->addedMass), m_hull->memory.slowAddedMass())),
+      m_fastest_mps(fastest_mps(*m_hull, m_slow)) {
     Matrix6 atOnce = sum(m_hull->mass, m_hull->addedMass);
     if (m_ownsRoll) {
         const double determinant =
@@ -65,6 +73,8 @@ double SeaMotion::effectiveHeel_rad(const WaveForces& waves) const {
     return (waves.first[kRoll] - m_swayInRoll * waves.first[kSway] - m_yawInRoll * waves.first[kYaw]) /
            m_hull->restoring(kRoll, kRoll);
 }
+
+double SeaMotion::ahead(const ShipMotion& m) const { return std::clamp(m.surge_mps, 0.0, m_fastest_mps); }
 
 /// Of frame B through the water, as the memory counts it; nothing remembers surge.
 Six SeaMotion::velocity(const ShipMotion& m) const {

@@ -61,6 +61,7 @@ private:
         const Load& external;
         const WaveForces& waves;
     };
+    double ahead(const ShipMotion& m) const;  ///< speed that strip theory is asked at
     Six velocity(const ShipMotion& m) const;
     double roll_Nm(const ShipMotion& m, const Acting& acting) const;
     Three lateral(const ShipMotion& m, const Water& water, const Acting& acting) const;
@@ -68,8 +69,9 @@ private:
 
     std::shared_ptr<const SeaHull> m_hull;
     bool m_ownsRoll;
-    std::optional<ViscousRoll> m_rollDamping;      ///< of her document; else that of the tables
-    Matrix6 m_slow;                                ///< mass with added mass for slow motions
+    std::optional<ViscousRoll> m_rollDamping;  ///< of her document; else that of the tables
+    Matrix6 m_slow;                            ///< mass with added mass for slow motions
+    double m_fastest_mps;
     Square m_lateral;                              ///< inverse of what sway, roll and yaw set in motion
     double m_swayInRoll = 0.0, m_yawInRoll = 0.0;  ///< moment of a swaying, yawing ship over the force
     Square m_vertical;                             ///< of surge, heave, pitch
