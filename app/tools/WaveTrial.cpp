@@ -49,7 +49,9 @@ WaveAnswer answerToWave(const core::ShipDynamics& ship, double omega_radps, doub
         if (i >= settle) heave.push_back(m.down_m), roll.push_back(m.roll_rad), pitch.push_back(m.pitch_rad);
         const auto middle_us = static_cast<std::int64_t>(1e6 * (i + 0.5) * step_s);
         core::activeWaves(table, sea, core::SimTime{middle_us}, *waves);
-        const core::WaveEffect effect = ship.wavesAt(*waves, {}, relativeHeading_rad, m.surge_mps, 1.0);
+        core::ShipMotion there = m;  // in the waves of one place
+        there.north_m = there.east_m = 0.0;
+        const core::WaveEffect effect = ship.wavesAt(*waves, there, 1.0);
         moving = core::rk4Step(moving, step_s, [&](const core::MovingShip& x) {
             return ship.derivative(x, {}, {}, effect, {});
         });

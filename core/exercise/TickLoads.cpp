@@ -30,10 +30,16 @@ TickLoads::TickLoads(const World& world, const State& state, std::size_t index,
     const OwnShipState& s = state.ships[index];
     const NorthEast ground = overGround_mps(s, m_current);
     const HeadingFrame frame({}, s.motion.heading_rad);
-    const NorthEast middle = s.motion.position() + 0.5 * kTick_s * ground;
-    const double middleHeading_rad = s.motion.heading_rad + 0.5 * kTick_s * s.motion.yawRate_radps;
-    m_waves = m_ship.dynamics.wavesAt(environment.waves, middle, middleHeading_rad, s.motion.surge_mps,
-                                      waveFactorAt(world, environment.water, middle));
+    ShipMotion middle = s.motion;  // of the tick
+    const NorthEast place = s.motion.position() + 0.5 * kTick_s * ground;
+    middle.north_m = place.north_m;
+    middle.east_m = place.east_m;
+    middle.heading_rad += 0.5 * kTick_s * s.motion.yawRate_radps;
+    middle.down_m += 0.5 * kTick_s * s.motion.heaveRate_mps;
+    middle.roll_rad += 0.5 * kTick_s * s.motion.rollRate_radps;
+    middle.pitch_rad += 0.5 * kTick_s * s.motion.pitchRate_radps;
+    m_waves =
+        m_ship.dynamics.wavesAt(environment.waves, middle, waveFactorAt(world, environment.water, place));
     WindVelocity wind = environment.wind;
     wind.speed_mps *= windFactorAt(m_ship.vessel.windage.centroidHeight_m, world.windProfile, wind.speed_mps);
     m_wind = windLoad(m_ship.vessel.windage, m_ship.vessel.hull.lengthOverall_m, wind, s.motion.heading_rad,

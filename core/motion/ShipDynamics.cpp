@@ -71,6 +71,7 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, std::string_view model, std::sh
       m_heightMotion(makeHeightMotion(vessel, model)),
       m_shafts(vessel.propulsion.units.size()),
       m_headingFollowsRoll(vessel.model(model).value()->headingFollowsRoll),
+      m_instantaneousHull(vessel.seakeeping.instantaneousHull),
       m_thrusters(vessel.thrusters),
       m_hull(vessel.hull),
       m_waterplane(waterplaneOf(vessel.hull)),
@@ -151,13 +152,19 @@ Load ShipDynamics::forceFor(const ShipMotion& m, const ShipMotion& rate, double 
     return std::visit([&](const auto& ship) { return ship.forceFor(m, rate, depth_m); }, m_model);
 }
 
-WaveEffect ShipDynamics::wavesAt(const ActiveWaves& waves, NorthEast position, double heading_rad,
-                                 double surge_mps, double shelter) const {
+WaveEffect ShipDynamics::wavesAt(const ActiveWaves& waves, const ShipMotion& m, double shelter) const {
     WaveEffect effect;
-    if (m_sea)
-        effect.forces = m_sea->hull().excitation.force(waves, position, heading_rad, surge_mps, shelter);
+    if (m_sea) {
+        const SeaHull& hull = m_sea->hull();
+        effect.forces = hull.excitation.force(waves, m.position(), m.heading_rad, m.surge_mps, shelter);
+        if (m_instantaneousHull) {
+            const Six more = hull.wetted.correction(
+                waves, {m.position(), m.heading_rad, m.down_m, m.roll_rad, m.pitch_rad}, shelter);
+            effect.wetted = {.heave_N = more[2], .roll_Nm = more[3], .pitch_Nm = more[4]};
+        }
+    }
     if (m_heightMotion) {
-        const WaveHeights h = waveHeights(m_waterplane, waves, position, heading_rad);
+        const WaveHeights h = waveHeights(m_waterplane, waves, m.position(), m.heading_rad);
         effect.heights = {shelter * h.sum_m3, shelter * h.along_m3, shelter * h.across_m3};
     }
     return effect;
@@ -209,8 +216,8 @@ MovingShip ShipDynamics::derivative(const MovingShip& ship, const Actuators& act
     relative.surge_mps -= waves.forces.waterSurge_mps;
     relative.sway_mps -= waves.forces.waterSway_mps;
     relative.roll_rad -= m_sea->effectiveHeel_rad(waves.forces);
-    const Load load =
-        external + meanForce(waves.forces) + thrusterLoad(m_thrusters, relative, actuators, m_hull);
+    const Load load = external + waves.wetted + meanForce(waves.forces) +
+                      thrusterLoad(m_thrusters, relative, actuators, m_hull);
     const SeaMotion::Rate at =
         m_sea->rate(ship, acceleration(relative, actuators, load, depth_m), load, waves.forces);
     MovingShip rate{kinematics(m, current), at.water};

@@ -36,9 +36,8 @@ public:
     /// The same in waves, of the water's memory too.
     MovingShip derivative(const MovingShip& ship, const Actuators& actuators, const Load& external,
                           const WaveEffect& waves, NorthEast current, double depth_m = kDeepWater_m) const;
-    /// What the active components do to her there. `shelter`: factor on their heights.
-    WaveEffect wavesAt(const ActiveWaves& waves, NorthEast position, double heading_rad, double surge_mps,
-                       double shelter) const;
+    /// What the active components do to her as she lies and moves. `shelter`: factor on their heights.
+    WaveEffect wavesAt(const ActiveWaves& waves, const ShipMotion& m, double shelter) const;
 
     /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
     /// the horizontal plane (other members 0). A model that has no force for something says what force would
@@ -82,6 +81,7 @@ private:
     std::optional<SeaMotion> m_sea;
     std::size_t m_shafts;
     bool m_headingFollowsRoll;
+    bool m_instantaneousHull;
     Thrusters m_thrusters;
     Hull m_hull;
     Waterplane m_waterplane;

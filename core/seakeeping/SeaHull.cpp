@@ -4,7 +4,7 @@
 
 namespace sagara::core {
 
-SeaHull::SeaHull(const SeakeepingTables& tables, bool transom)
+SeaHull::SeaHull(const HullForm& form, const SeakeepingTables& tables, bool transom)
     : inputHash(tables.inputHash),
       transomTerms(transom),
       mass_kg(tables.mass_kg),
@@ -15,7 +15,8 @@ SeaHull::SeaHull(const SeakeepingTables& tables, bool transom)
       viscousRoll(tables.viscousRoll),
       rollFrequency_radps(tables.rollFrequency_radps),
       memory(tables),
-      excitation(tables) {}
+      excitation(tables),
+      wetted(form) {}
 
 ViscousRoll SeaHull::viscousRollAt(double speed_mps) const {
     std::size_t low = 0;

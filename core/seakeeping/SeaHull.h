@@ -2,6 +2,7 @@
 
 #include "core/seakeeping/RadiationMemory.h"
 #include "core/seakeeping/WaveExcitation.h"
+#include "core/seakeeping/WettedHull.h"
 
 namespace sagara::core {
 
@@ -9,7 +10,7 @@ namespace sagara::core {
 /// form and loading share one (`SeaHulls`). Frame B about Bo, order of the six as in `SeakeepingTables`.
 struct SeaHull {
     /// `transomTerms`: as the tables were made.
-    explicit SeaHull(const SeakeepingTables& tables, bool transomTerms = true);
+    SeaHull(const HullForm& form, const SeakeepingTables& tables, bool transomTerms = true);
 
     std::uint64_t inputHash;
     bool transomTerms;
@@ -22,6 +23,7 @@ struct SeaHull {
     double rollFrequency_radps;            ///< natural, at rest
     RadiationMemory memory;
     WaveExcitation excitation;
+    WettedHull wetted;
 
     ViscousRoll viscousRollAt(double speed_mps) const;
 };

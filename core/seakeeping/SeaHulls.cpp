@@ -33,7 +33,8 @@ std::shared_ptr<const SeaHull> SeaHulls::of(const Hull& hull) {
         if (!other.valid()) m_making[hash] = promise.get_future().share();
     }
     if (other.valid()) return other.get();
-    auto made = std::make_shared<const SeaHull>(tablesFor(form, options, m_cache), options.transomTerms);
+    auto made =
+        std::make_shared<const SeaHull>(form, tablesFor(form, options, m_cache), options.transomTerms);
     keep(hash, made);
     promise.set_value(made);
     return made;

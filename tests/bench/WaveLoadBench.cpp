@@ -21,10 +21,13 @@ void sixWaveLoads(benchmark::State& state) {
     sea.amplitude_m.resize(sea.active.size());
     const auto waves = std::make_unique<ActiveWaves>();
     activeWaves(table, sea, SimTime::fromSeconds(600), *waves);
-    double heading = 0.3;
+    ShipMotion moving;
+    moving.north_m = 400.0;
+    moving.heading_rad = 0.3;
+    moving.surge_mps = 6.0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(ship.wavesAt(*waves, {400.0, 300.0}, heading, 6.0, 1.0));
-        heading += 1e-6;
+        benchmark::DoNotOptimize(ship.wavesAt(*waves, moving, 1.0));
+        moving.heading_rad += 1e-6;
     }
 }
 BENCHMARK(sixWaveLoads)->Arg(100)->Arg(200);

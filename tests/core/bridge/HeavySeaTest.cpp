@@ -22,8 +22,8 @@ constexpr int kCourses = 8;
 /// A ship half ahead in the waves of Beaufort 8, steered from one course to the next all round the compass.
 class Hour {
 public:
-    explicit Hour(const std::string& id)
-        : m_vessel(loadVessel(id + ".json", test::readAsset("vessels/" + id + ".json")).value()),
+    explicit Hour(const Vessel& vessel)
+        : m_vessel(vessel),
           m_ship(m_vessel, {}, test::seaHulls()->of(m_vessel.hull)),
           m_sea{{*windSea(windOfBeaufort_mps(8), 0.6, Exposure::Ocean)}, {}, {}} {
         raiseSea(m_table, m_sea);
@@ -34,8 +34,7 @@ public:
     void step() {
         steer();
         activeWaves(m_table, m_sea, {static_cast<std::int64_t>(1e6 * (m_time_s + 0.5 * kStep_s))}, *m_waves);
-        const WaveEffect effect =
-            m_ship.wavesAt(*m_waves, motion().position(), motion().heading_rad, motion().surge_mps, 1.0);
+        const WaveEffect effect = m_ship.wavesAt(*m_waves, motion(), 1.0);
         moving = rk4Step(moving, kStep_s, [&](const MovingShip& x) {
             return m_ship.derivative(x, m_actuators, {}, effect, {});
         });
@@ -74,9 +73,13 @@ private:
     double m_time_s = 0.0;
 };
 
+Vessel shipped(const std::string& id) {
+    return loadVessel(id + ".json", test::readAsset("vessels/" + id + ".json")).value();
+}
+
 class HeavySea : public ::testing::TestWithParam<std::string> {};
 TEST_P(HeavySea, AnHourOfBeaufort8FromAllSidesLeavesHerFiniteAndHerEnergyBounded) {
-    Hour hour(GetParam());
+    Hour hour(shipped(GetParam()));
     double most[2] = {0.0, 0.0}, roll_rad = 0.0, pitch_rad = 0.0, heave_m = 0.0;
     while (hour.time_s() < kHour_s) {
         hour.step();
@@ -100,6 +103,18 @@ TEST_P(HeavySea, AnHourOfBeaufort8FromAllSidesLeavesHerFiniteAndHerEnergyBounded
     EXPECT_LT(pitch_rad, (hour.vessel().hull.lengthBp_m > 15.0 ? 30.0 : 80.0) * kDegree_rad);
     EXPECT_LT(roll_rad, 60.0 * kDegree_rad);
 }
+TEST(HeavySeaAsWetted, TheHullAsSheIsWettedStaysFiniteToo) {
+    Vessel vessel = shipped("patrol51");
+    vessel.seakeeping.instantaneousHull = true;
+    Hour hour(vessel);
+    while (hour.time_s() < 0.5 * kHour_s) {
+        hour.step();
+        const ShipMotion& m = hour.motion();
+        ASSERT_LT(std::abs(m.roll_rad) + std::abs(m.pitch_rad), 1.2) << "at " << hour.time_s() << " s";
+        ASSERT_LT(std::abs(m.down_m), 8.0) << "at " << hour.time_s() << " s";
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Shipped, HeavySea, ::testing::ValuesIn(test::shippedVessels()),
                          [](const auto& row) { return test::testName(row.param); });
 

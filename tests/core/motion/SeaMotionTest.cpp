@@ -18,6 +18,15 @@ Vessel shipped(const std::string& id) {
     return loadVessel(id + ".json", test::readAsset("vessels/" + id + ".json")).value();
 }
 
+ShipMotion moving(NorthEast at, double heading_rad, double surge_mps) {
+    ShipMotion m;
+    m.north_m = at.north_m;
+    m.east_m = at.east_m;
+    m.heading_rad = heading_rad;
+    m.surge_mps = surge_mps;
+    return m;
+}
+
 struct RegularWave {
     WaveTable table;
     SeaState sea;
@@ -54,8 +63,9 @@ Swing adrift(const Vessel& vessel, const RegularWave& wave, double heading_rad, 
     ShipMotion low, high;
     for (double t = 0.0; t < end_s; t += step_s) {
         const auto waves = wave.at(t + 0.5 * step_s);
-        const WaveEffect effect = ship.wavesAt(*waves, headingHeld ? NorthEast{} : m.motion.position(),
-                                               m.motion.heading_rad, m.motion.surge_mps, 1.0);
+        ShipMotion there = m.motion;
+        if (headingHeld) there.north_m = there.east_m = 0.0;
+        const WaveEffect effect = ship.wavesAt(*waves, there, 1.0);
         m = rk4Step(m, step_s, [&](const MovingShip& x) { return ship.derivative(x, {}, {}, effect, {}); });
         if (headingHeld) {
             m.motion.heading_rad = heading_rad;
@@ -199,8 +209,8 @@ TEST(WaveEffect, MirrorsBetweenThePortAndTheStarboardSide) {
     const RegularWave wave(8.0, 0.4, 0.5);
     const ShipDynamics ship(vessel, {}, test::seaHulls()->of(vessel.hull));
     const auto waves = wave.at(31.0);
-    const WaveForces a = ship.wavesAt(*waves, {}, wave.wavesTo_rad + 0.7, 5.0, 1.0).forces;
-    const WaveForces b = ship.wavesAt(*waves, {}, wave.wavesTo_rad - 0.7, 5.0, 1.0).forces;
+    const WaveForces a = ship.wavesAt(*waves, moving({}, wave.wavesTo_rad + 0.7, 5.0), 1.0).forces;
+    const WaveForces b = ship.wavesAt(*waves, moving({}, wave.wavesTo_rad - 0.7, 5.0), 1.0).forces;
     for (const std::size_t i : {0U, 2U, 4U}) EXPECT_NEAR(a.first[i], b.first[i], 1e-6 * std::abs(a.first[i]));
     for (const std::size_t i : {1U, 3U, 5U})
         EXPECT_NEAR(a.first[i], -b.first[i], 1e-6 * std::abs(a.first[i]));
@@ -214,8 +224,8 @@ TEST(WaveEffect, ShelterScalesForcesAndItsSquareTheMeanOnes) {
     const RegularWave wave(8.0, 0.4, 0.5);
     const ShipDynamics ship(vessel, {}, test::seaHulls()->of(vessel.hull));
     const auto waves = wave.at(31.0);
-    const WaveForces open = ship.wavesAt(*waves, {10, 20}, 1.0, 0.0, 1.0).forces;
-    const WaveForces lee = ship.wavesAt(*waves, {10, 20}, 1.0, 0.0, 0.25).forces;
+    const WaveForces open = ship.wavesAt(*waves, moving({10, 20}, 1.0, 0.0), 1.0).forces;
+    const WaveForces lee = ship.wavesAt(*waves, moving({10, 20}, 1.0, 0.0), 0.25).forces;
     EXPECT_DOUBLE_EQ(lee.first[2], 0.25 * open.first[2]);
     EXPECT_DOUBLE_EQ(lee.mean[0], 0.0625 * open.mean[0]);
     EXPECT_DOUBLE_EQ(lee.waterSway_mps, 0.25 * open.waterSway_mps);
@@ -227,8 +237,8 @@ TEST(WaveEffect, MeanForcesGoWithTheWaves) {
     const RegularWave wave(9.0, 0.0, 1.0);
     const ShipDynamics ship(vessel, {}, test::seaHulls()->of(vessel.hull));
     const auto waves = wave.at(0.0);
-    EXPECT_LT(ship.wavesAt(*waves, {}, kPi, 7.0, 1.0).forces.mean[0], 0.0);
-    EXPECT_GT(ship.wavesAt(*waves, {}, -0.5 * kPi, 0.0, 1.0).forces.mean[1], 0.0);
+    EXPECT_LT(ship.wavesAt(*waves, moving({}, kPi, 7.0), 1.0).forces.mean[0], 0.0);
+    EXPECT_GT(ship.wavesAt(*waves, moving({}, -0.5 * kPi, 0.0), 1.0).forces.mean[1], 0.0);
 }
 
 }  // namespace

@@ -108,6 +108,7 @@ Swing swingIn(const std::string& model, double period_s, double heading_rad, int
     const ShipDynamics ship(patrol(), model, test::seaHulls()->of(patrol().hull));
     MovingShip moving;
     moving.motion.heading_rad = heading_rad;
+    const ShipMotion still = moving.motion;  // waves of one place
     Swing low, high;
     constexpr double kStep_s = 0.02;
     const auto steps = static_cast<int>(period_s * periods / kStep_s),
@@ -115,7 +116,7 @@ Swing swingIn(const std::string& model, double period_s, double heading_rad, int
     for (int i = 0; i < steps; ++i) {
         ActiveWaves waves;
         activeWaves(table, sea, SimTime{static_cast<std::int64_t>(1e6 * (i + 0.5) * kStep_s)}, waves);
-        const WaveEffect effect = ship.wavesAt(waves, {}, heading_rad, 0.0, 1.0);
+        const WaveEffect effect = ship.wavesAt(waves, still, 1.0);
         moving = rk4Step(moving, kStep_s,
                          [&](const MovingShip& x) { return ship.derivative(x, {}, {}, effect, {}); });
         const ShipMotion& m = moving.motion;
