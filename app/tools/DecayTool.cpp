@@ -24,7 +24,8 @@ std::string motionsOf(const core::Trial& trial) {
 int runDecayTool(const run::Store& store, const DecayOptions& o) {
     const auto vessel = openVessel(store, o.ship);
     if (!vessel) return run::tell(vessel.error()), run::kBadRequest;
-    core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m);
+    const std::shared_ptr<core::SeaHulls> hulls = store.hulls();
+    core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m, hulls->of(vessel->hull));
     core::TrialOptions options;
     options.approach = ship.holding(o.speed_mps);
     options.duration_s = o.duration_s;

@@ -7,10 +7,12 @@
 
 namespace sagara::core {
 
-TrialShip::TrialShip(const Vessel& vessel, std::string_view model, double depth_m)
+TrialShip::TrialShip(const Vessel& vessel, std::string_view model, double depth_m,
+                     std::shared_ptr<const SeaHull> hull)
     : m_vessel(vessel),
+      m_afloat(hull != nullptr),
       m_propellers(propellersOf(m_vessel.propulsion)),
-      m_dynamics(m_vessel, model),
+      m_dynamics(m_vessel, model, std::move(hull)),
       m_depth_m(depth_m) {}
 
 void TrialShip::begin(const Approach& approach) {
@@ -41,7 +43,16 @@ void TrialShip::step(double step_s) {
               m_vessel.steering.rudders.empty() ? m_state.gear.angle_rad : 0.0,
               m_vessel.hull.waterDensity_kgpm3, step_s);
     showShafts(m_propellers, m_state.shafts, actuators);
-    m_state.motion = rk4Step(m_state.motion, step_s, [&](const ShipMotion& m) { return rate(m, actuators); });
+    if (m_afloat) {
+        const MovingShip after = rk4Step(
+            MovingShip{m_state.motion, m_state.water}, step_s,
+            [&](const MovingShip& m) { return m_dynamics.derivative(m, actuators, {}, {}, {}, m_depth_m); });
+        m_state.motion = after.motion;
+        m_state.water = after.water;
+    } else {
+        m_state.motion =
+            rk4Step(m_state.motion, step_s, [&](const ShipMotion& m) { return rate(m, actuators); });
+    }
     m_state.time_s += step_s;
 }
 

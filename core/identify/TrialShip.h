@@ -10,11 +10,12 @@
 namespace sagara::core {
 
 /// A vessel alone in calm water with her steering gear and engines, as an exercise moves her, without
-/// the exercise.
+/// the exercise. Without a hull she floats on springs (see ShipDynamics), which is all that manoeuvres need.
 class TrialShip {
 public:
     /// `model`: see ShipDynamics.
-    explicit TrialShip(const Vessel& vessel, std::string_view model = {}, double depth_m = kDeepWater_m);
+    explicit TrialShip(const Vessel& vessel, std::string_view model = {}, double depth_m = kDeepWater_m,
+                       std::shared_ptr<const SeaHull> hull = nullptr);
 
     /// Straight ahead at this speed from the origin, time zero.
     void begin(const Approach& approach);
@@ -30,6 +31,7 @@ public:
     /// All that changes in a run; taken back to by `restore`.
     struct State {
         ShipMotion motion;
+        MemoryState water{};
         SteeringGearState gear;
         ShaftStates shafts{};
         double time_s = 0.0;
@@ -56,6 +58,7 @@ private:
     ShipMotion rate(const ShipMotion& motion, const Actuators& actuators) const;
 
     Vessel m_vessel;
+    bool m_afloat;  ///< on the tables of her hull
     std::vector<Propeller> m_propellers;
     ShipDynamics m_dynamics;
     double m_depth_m;
