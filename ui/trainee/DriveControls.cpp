@@ -21,6 +21,8 @@ DriveControls::DriveControls(const core::Propulsion& propulsion, std::size_t sha
     if (m_unit.pitch) {
         row->addWidget(m_pitch = new PitchLever(name, *m_unit.pitch, this));
         m_pitch->setObjectName(QStringLiteral("pitch-%1").arg(shaft));
+        m_telegraph->setToolTip(tr("%1. It sets revolutions and pitch together, and the bar is what both do")
+                                    .arg(m_telegraph->toolTip()));
     }
     if (m_unit.azimuth) {
         row->addWidget(m_azimuth = new AzimuthDial(name, this));

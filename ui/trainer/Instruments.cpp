@@ -107,7 +107,7 @@ void Instruments::show(const core::Snapshot& now) {
     const auto pivot_m = pivotAhead_m(m);
     m_pivot->setText(pivot_m && std::abs(*pivot_m) < 1000.0 ? sided(*pivot_m, 0, tr("abaft"), tr("ahead"))
                                                             : tr("none"));
-    m_rudder->setText(tr("%1 (%2)").arg(sided(degrees(s.rudder_rad), 1, port, starboard),
+    m_rudder->setText(tr("%1 (%2)").arg(sided(degrees(s.rudder_rad), 1, tr("P"), tr("S")),
                                         sided(degrees(s.rudderOrder_rad), 1, tr("P"), tr("S"))));
     for (std::size_t i = 0; i < std::min(m_shafts.size(), s.shafts_rps.size()); ++i)
         m_shafts[i]->setText(tr("%1 (%2)").arg(fixed(s.shafts_rps[i] / core::kRpm_rps, 0),
