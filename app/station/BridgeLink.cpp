@@ -24,6 +24,10 @@ BridgeLink::BridgeLink(ui::BridgeInput& input, ui::SoundBoard& sound, ui::Traine
     input.watchKeys(&console);
     connect(&input, &ui::BridgeInput::helmWanted, &console, &ui::TraineeConsole::setHelm);
     connect(&input, &ui::BridgeInput::telegraphWanted, &console, &ui::TraineeConsole::setTelegraph);
+    connect(&input, &ui::BridgeInput::pitchWanted, &console, &ui::TraineeConsole::setPitch);
+    connect(&input, &ui::BridgeInput::azimuthWanted, &console, &ui::TraineeConsole::setAzimuth);
+    connect(&input, &ui::BridgeInput::pitchShiftWanted, &console, &ui::TraineeConsole::shiftPitch);
+    connect(&input, &ui::BridgeInput::azimuthShiftWanted, &console, &ui::TraineeConsole::shiftAzimuth);
     const int bow = thrusterAt(vessel.thrusters, true), stern = thrusterAt(vessel.thrusters, false);
     connect(&input, &ui::BridgeInput::thrusterWanted, &console,
             [&console, bow](double thrust) { console.setThruster(bow, thrust); });

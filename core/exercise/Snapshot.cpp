@@ -22,7 +22,13 @@ bool unableToManoeuvre(const OwnShip& ship, const OwnShipState& s) {
 DriveView viewDrive(const OwnShip& ship, const OwnShipState& s, std::size_t i) {
     const Propeller& propeller = ship.propellers[i];
     const ShaftState& shaft = s.shafts[i];
-    DriveView v{shaft.pitch, shaft.azimuth_rad, {}, startsLeft(propeller.unit(), shaft)};
+    DriveView v{.pitch = shaft.pitch,
+                .pitchOrder = demandOf(propeller.unit(), shaft).pitch,
+                .pitchByHand = shaft.pitchByHand,
+                .azimuth_rad = shaft.azimuth_rad,
+                .azimuthOrder_rad = shaft.azimuthOrder_rad,
+                .torque_Nm = {},
+                .startsLeft = startsLeft(propeller.unit(), shaft)};
     if (propeller.knowsTorque()) {
         const double inflow_mps = inflowOf_mps(propeller.unit(), s.motion, shaft.azimuth_rad);
         v.torque_Nm =

@@ -10,8 +10,11 @@ namespace sagara::core {
 
 /// Blades, azimuth drive and engine of one shaft, as far as she has them.
 struct DriveView {
-    double pitch = 1.0;  ///< over the design pitch
+    double pitch = 1.0;       ///< over the design pitch
+    double pitchOrder = 1.0;  ///< of lever or hand
+    bool pitchByHand = false;
     double azimuth_rad = 0.0;
+    double azimuthOrder_rad = 0.0;     ///< by hand; the wheel comes on top of it
     std::optional<double> torque_Nm;   ///< into the propeller, where it is known
     std::optional<double> startsLeft;  ///< of the starting air
 };

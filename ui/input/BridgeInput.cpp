@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLook_radps = 30.0 * core::kDegree_rad;
 constexpr double kThrustStep = 0.2;
+constexpr int kPitchSteps = 2, kAzimuthSteps = 3;  ///< of 5 % and 5 degrees, by a key
 
 /// Orders by NMEA nearer to one another than this (a fifth of a degree, 0.3 %) are the same.
 constexpr double kSameOrder = 0.0035;
@@ -34,7 +35,8 @@ bool actsWhileHeld(BridgeAction action) {
 /// Holding these down repeats them, as the keyboard repeats letters.
 bool repeats(BridgeAction action) {
     return action == BridgeAction::RudderPort || action == BridgeAction::RudderStarboard ||
-           action == BridgeAction::RudderPortFine || action == BridgeAction::RudderStarboardFine;
+           action == BridgeAction::RudderPortFine || action == BridgeAction::RudderStarboardFine ||
+           action >= BridgeAction::PitchAstern;
 }
 
 }  // namespace
@@ -133,6 +135,12 @@ void BridgeInput::takeAxis(int id, int axis, double raw) {
         case AxisUse::SternThruster:
             if (moved) wantSternThruster(*moved);
             break;
+        case AxisUse::Pitch:
+            if (moved) wantOfShafts(meant.shaft, &BridgeInput::pitchWanted, *moved);
+            break;
+        case AxisUse::Azimuth:
+            if (moved) wantOfShafts(meant.shaft, &BridgeInput::azimuthWanted, *moved * core::kPi);
+            break;
     }
 }
 
@@ -166,6 +174,12 @@ void BridgeInput::wantStep(int shaft, core::TelegraphStep step) {
         m_steps[static_cast<std::size_t>(i)] = step;
         Q_EMIT telegraphWanted(i, step);
     }
+}
+
+template <typename Signal, typename Value>
+void BridgeInput::wantOfShafts(int shaft, Signal signal, Value value) {
+    for (int i = 0; i < m_ship.shafts; ++i)
+        if (shaft == kEveryShaft || shaft == i) Q_EMIT(this->*signal)(i, value);
 }
 
 void BridgeInput::shiftStep(int shaft, int steps) {
@@ -218,6 +232,14 @@ void BridgeInput::perform(BridgeAction action, int shaft, bool down) {
             return wantSternThruster(m_sternThrust + kThrustStep);
         case BridgeAction::SternThrusterStop:
             return wantSternThruster(0.0);
+        case BridgeAction::PitchAstern:
+            return wantOfShafts(shaft, &BridgeInput::pitchShiftWanted, -kPitchSteps);
+        case BridgeAction::PitchAhead:
+            return wantOfShafts(shaft, &BridgeInput::pitchShiftWanted, kPitchSteps);
+        case BridgeAction::AzimuthPort:
+            return wantOfShafts(shaft, &BridgeInput::azimuthShiftWanted, -kAzimuthSteps);
+        case BridgeAction::AzimuthStarboard:
+            return wantOfShafts(shaft, &BridgeInput::azimuthShiftWanted, kAzimuthSteps);
         case BridgeAction::Acknowledge:
             return Q_EMIT acknowledgeWanted();
         case BridgeAction::Bookmark:

@@ -65,6 +65,10 @@ Q_SIGNALS:
     void telegraphWanted(int shaft, sagara::core::TelegraphStep step);  ///< one shaft, counted from port
     void thrusterWanted(double thrust);  ///< at the bow; -1 full to port to 1 full to starboard
     void sternThrusterWanted(double thrust);
+    void pitchWanted(int shaft, double pitch);        ///< over the design pitch
+    void azimuthWanted(int shaft, double angle_rad);  ///< -pi to pi from ahead, clockwise
+    void pitchShiftWanted(int shaft, int steps);      ///< of 5 %, from what it is ordered
+    void azimuthShiftWanted(int shaft, int steps);    ///< of 5 degrees
     void hornWanted(bool on);
     void lookWanted(double yaw_radps);  ///< until the next; 0: stop turning
     void acknowledgeWanted();
@@ -89,6 +93,8 @@ private:
     void obeyStep(int engine, core::TelegraphStep step);
     void wantHelm(double rudder_rad);
     void wantStep(int shaft, core::TelegraphStep step);
+    template <typename Signal, typename Value>
+    void wantOfShafts(int shaft, Signal signal, Value value);
     void shiftStep(int shaft, int steps);
     void wantThruster(double thrust);
     void wantSternThruster(double thrust);

@@ -28,9 +28,13 @@ constexpr std::array<const char*, kBridgeActions> kActionNames{"none",
                                                                "bookmark",
                                                                "sternThrusterPort",
                                                                "sternThrusterStarboard",
-                                                               "sternThrusterStop"};
-constexpr std::array<const char*, std::size(kAxisUses)> kAxisNames{"none",     "rudder", "telegraph",
-                                                                   "thruster", "look",   "sternThruster"};
+                                                               "sternThrusterStop",
+                                                               "pitchAstern",
+                                                               "pitchAhead",
+                                                               "azimuthPort",
+                                                               "azimuthStarboard"};
+constexpr std::array<const char*, std::size(kAxisUses)> kAxisNames{
+    "none", "rudder", "telegraph", "thruster", "look", "sternThruster", "pitch", "azimuth"};
 
 QString tr(const char* text) { return QCoreApplication::translate("ControlMap", text); }
 
@@ -71,8 +75,16 @@ QString axisUseText(AxisUse use) {
             return tr("Look around");
         case AxisUse::SternThruster:
             return tr("Stern thruster");
+        case AxisUse::Pitch:
+            return tr("Pitch");
+        case AxisUse::Azimuth:
+            return tr("Azimuth drive");
     }
     return {};
+}
+
+bool needsShaft(AxisUse use) {
+    return use == AxisUse::Telegraph || use == AxisUse::Pitch || use == AxisUse::Azimuth;
 }
 
 QString actionText(BridgeAction action) {
@@ -117,6 +129,14 @@ QString actionText(BridgeAction action) {
             return tr("Stern thruster to starboard");
         case BridgeAction::SternThrusterStop:
             return tr("Stern thruster stop");
+        case BridgeAction::PitchAstern:
+            return tr("Pitch 10 % astern");
+        case BridgeAction::PitchAhead:
+            return tr("Pitch 10 % ahead");
+        case BridgeAction::AzimuthPort:
+            return tr("Azimuth drive 15° to port");
+        case BridgeAction::AzimuthStarboard:
+            return tr("Azimuth drive 15° to starboard");
     }
     return {};
 }
@@ -131,7 +151,7 @@ std::optional<BridgeAction> actionByName(std::string_view name) {
 
 bool needsShaft(BridgeAction action) {
     return action == BridgeAction::TelegraphUp || action == BridgeAction::TelegraphDown ||
-           action == BridgeAction::StopEngines;
+           action == BridgeAction::StopEngines || action >= BridgeAction::PitchAstern;
 }
 
 ControlMap usualMap(int axes, int buttons, int hats) {

@@ -11,10 +11,13 @@
 /// Which control does what. Stored as text in the settings.
 namespace sagara::ui {
 
-enum class AxisUse { None, Rudder, Telegraph, Thruster, Look, SternThruster };
+enum class AxisUse { None, Rudder, Telegraph, Thruster, Look, SternThruster, Pitch, Azimuth };
 inline constexpr AxisUse kAxisUses[] = {AxisUse::None,     AxisUse::Rudder, AxisUse::Telegraph,
-                                        AxisUse::Thruster, AxisUse::Look,   AxisUse::SternThruster};
+                                        AxisUse::Thruster, AxisUse::Look,   AxisUse::SternThruster,
+                                        AxisUse::Pitch,    AxisUse::Azimuth};
 QString axisUseText(AxisUse use);
+/// Uses that are for one shaft or for all.
+bool needsShaft(AxisUse use);
 
 /// What a button or a key does.
 enum class BridgeAction {
@@ -37,14 +40,18 @@ enum class BridgeAction {
     Bookmark,
     SternThrusterPort,
     SternThrusterStarboard,
-    SternThrusterStop
+    SternThrusterStop,
+    PitchAstern,  ///< a tenth of the design pitch
+    PitchAhead,   ///< a tenth
+    AzimuthPort,  ///< the push of the drives 15 degrees anticlockwise
+    AzimuthStarboard
 };
-inline constexpr int kBridgeActions = static_cast<int>(BridgeAction::SternThrusterStop) + 1;
+inline constexpr int kBridgeActions = static_cast<int>(BridgeAction::AzimuthStarboard) + 1;
 QString actionText(BridgeAction action);
 /// Name in stored text.
 const char* actionName(BridgeAction action);
 std::optional<BridgeAction> actionByName(std::string_view name);
-/// Telegraph actions are for one shaft or for all.
+/// Actions of telegraph, pitch and azimuth are for one shaft or for all.
 bool needsShaft(BridgeAction action);
 
 inline constexpr int kEveryShaft = -1;

@@ -61,6 +61,14 @@ QKeySequence usualKey(BridgeAction action) {
             return QKeySequence(Qt::SHIFT | Qt::Key_L);
         case BridgeAction::SternThrusterStop:
             return QKeySequence(Qt::SHIFT | Qt::Key_K);
+        case BridgeAction::PitchAstern:
+            return QKeySequence(Qt::Key_U);
+        case BridgeAction::PitchAhead:
+            return QKeySequence(Qt::Key_I);
+        case BridgeAction::AzimuthPort:
+            return QKeySequence(Qt::Key_O);
+        case BridgeAction::AzimuthStarboard:
+            return QKeySequence(Qt::Key_P);
     }
     return {};
 }

@@ -165,7 +165,7 @@ void ControlsSection::addAxis(QGridLayout* grid, int axis) {
     use->setCurrentIndex(use->findData(static_cast<int>(map.use)));
     auto* const shaft = shaftChoice(map.shaft, parent);
     shaft->setObjectName(QStringLiteral("axis-shaft-%1").arg(axis));
-    shaft->setVisible(map.use == AxisUse::Telegraph);
+    shaft->setVisible(needsShaft(map.use));
     auto* const dead = new QSpinBox(parent);
     dead->setObjectName(QStringLiteral("axis-dead-%1").arg(axis));
     dead->setRange(0, static_cast<int>(100.0 * kMostDeadZone));
@@ -191,7 +191,7 @@ void ControlsSection::addAxis(QGridLayout* grid, int axis) {
     const auto index = static_cast<std::size_t>(axis);
     connect(use, &QComboBox::activated, this, [this, use, shaft, index] {
         m_map.axes[index].use = static_cast<AxisUse>(use->currentData().toInt());
-        shaft->setVisible(m_map.axes[index].use == AxisUse::Telegraph);
+        shaft->setVisible(needsShaft(m_map.axes[index].use));
         keep();
     });
     connect(shaft, &QComboBox::activated, this, [this, shaft, index] {

@@ -5,15 +5,16 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "core/base/Angle.h"
-#include "core/base/Units.h"
 #include "ui/trainee/AnchorPanel.h"
 #include "ui/trainee/AutopilotPanel.h"
+#include "ui/trainee/AzimuthDial.h"
 #include "ui/trainee/Bearings.h"
+#include "ui/trainee/DriveControls.h"
 #include "ui/trainee/HelmWheel.h"
 #include "ui/trainee/LinePanel.h"
+#include "ui/trainee/PitchLever.h"
 #include "ui/trainee/ReportPanel.h"
 #include "ui/trainee/ShaftTelegraph.h"
 #include "ui/trainee/ThrusterLever.h"
@@ -31,18 +32,6 @@ QWidget* scrolled(QWidget* inside) {
     return area;
 }
 
-/// "pitch 60 %  045°  8 starts", each where the ship has it.
-QString noteOf(const core::PropulsionUnit& unit, const core::DriveView& drive) {
-    QStringList parts;
-    if (unit.pitch) parts << ControlRow::tr("pitch %1 %").arg(std::lround(100.0 * drive.pitch));
-    if (unit.azimuth)
-        parts << ControlRow::tr("%1°").arg(
-            std::lround(core::wrapTwoPi(drive.azimuth_rad) / core::kDegree_rad) % 360, 3, 10,
-            QLatin1Char('0'));
-    if (drive.startsLeft) parts << ControlRow::tr("air %1").arg(static_cast<int>(*drive.startsLeft));
-    return parts.join(QStringLiteral("  "));
-}
-
 }  // namespace
 
 ControlRow::ControlRow(ExerciseRun& run, std::size_t ship, QWidget* parent)
@@ -51,19 +40,7 @@ ControlRow::ControlRow(ExerciseRun& run, std::size_t ship, QWidget* parent)
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(3);
-    const auto& units = vessel.propulsion.units;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        auto* const telegraph =
-            new ShaftTelegraph(spokenName(units[i].id), vessel.propulsion.telegraph_rps, this);
-        telegraph->setObjectName(QStringLiteral("telegraph-%1").arg(i));
-        connect(telegraph, &ShaftTelegraph::ordered, this, [this, i](core::TelegraphStep step) {
-            m_lastOrder.start();
-            m_run.give(m_ship, core::TelegraphOrder{static_cast<std::uint8_t>(i), step});
-            Q_EMIT telegraphGiven(static_cast<int>(i), step);
-        });
-        row->addWidget(telegraph);
-        m_telegraphs.push_back(telegraph);
-    }
+    for (std::size_t i = 0; i < vessel.propulsion.units.size(); ++i) row->addWidget(addDrive(i));
     m_wheel = new HelmWheel(vessel.steering.limit_rad, this);
     connect(m_wheel, &HelmWheel::ordered, this, &ControlRow::setHelm);
     row->addWidget(m_wheel);
@@ -72,6 +49,39 @@ ControlRow::ControlRow(ExerciseRun& run, std::size_t ship, QWidget* parent)
     row->addWidget(m_autopilot);
     addDeck();
     row->addWidget(m_deck, 1);
+}
+
+QWidget* ControlRow::addDrive(std::size_t i) {
+    const auto shaft = static_cast<std::uint8_t>(i);
+    auto* const drive = new DriveControls(m_run.world()->ships[m_ship]->vessel.propulsion, i, this);
+    m_drives.push_back(drive);
+    ShaftTelegraph& telegraph = drive->telegraph();
+    connect(&telegraph, &ShaftTelegraph::ordered, this, [this, shaft](core::TelegraphStep step) {
+        give(core::TelegraphOrder{shaft, step});
+        Q_EMIT telegraphGiven(shaft, step);
+    });
+    if (PitchLever* const pitch = drive->pitch()) {
+        connect(pitch, &PitchLever::ordered, this, [this, shaft](double order) {
+            give(core::PitchOrder{shaft, order});
+        });
+        connect(pitch, &PitchLever::givenBack, &telegraph,
+                [&telegraph] { telegraph.moveTo(telegraph.step()); });
+    }
+    if (AzimuthDial* const dial = drive->azimuth())
+        connect(dial, &AzimuthDial::ordered, this, [this, shaft](double angle_rad) {
+            give(core::AzimuthOrder{shaft, angle_rad});
+        });
+    return drive;
+}
+
+void ControlRow::give(core::Order order) {
+    m_lastOrder.start();
+    m_run.give(m_ship, std::move(order));
+}
+
+DriveControls* ControlRow::drive(int shaft) {
+    const auto i = static_cast<std::size_t>(shaft);
+    return shaft >= 0 && i < m_drives.size() ? m_drives[i] : nullptr;
 }
 
 /// One above the other, bow on top, port on the left.
@@ -88,8 +98,7 @@ QWidget* ControlRow::makeThrusters() {
             side);
         lever->setObjectName(QStringLiteral("thruster-%1").arg(i));
         connect(lever, &ThrusterLever::ordered, this, [this, i](double share) {
-            m_lastOrder.start();
-            m_run.give(m_ship, core::ThrusterOrder{static_cast<std::uint8_t>(i), share});
+            give(core::ThrusterOrder{static_cast<std::uint8_t>(i), share});
             Q_EMIT thrusterGiven(static_cast<int>(i), share);
         });
         column->addWidget(lever);
@@ -117,30 +126,56 @@ void ControlRow::setColours(PaletteName name) {
 }
 
 void ControlRow::setUnit(double unit) {
-    for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->setFixedWidth(static_cast<int>(124.0 * unit));
-    const bool thrusters = m_thrusterColumn != nullptr;  // the deck needs its room
-    m_wheel->setFixedWidth(static_cast<int>((thrusters ? 244.0 : 270.0) * unit));
+    bool more = false;  // the deck needs its room
+    for (DriveControls* drive : m_drives) {
+        drive->setUnit(unit);
+        more |= drive->pitch() != nullptr || drive->azimuth() != nullptr;
+    }
+    const bool thrusters = m_thrusterColumn != nullptr;
+    m_wheel->setFixedWidth(static_cast<int>((more ? 216.0 : thrusters ? 244.0 : 270.0) * unit));
     if (thrusters) m_thrusterColumn->setFixedWidth(static_cast<int>(128.0 * unit));
     m_autopilot->setFixedWidth(static_cast<int>(140.0 * unit));
 }
 
 void ControlRow::setHelm(double rudder_rad) {
-    m_lastOrder.start();
     m_wheel->setOrder(rudder_rad);
-    m_run.give(m_ship, core::HelmOrder{rudder_rad});
+    give(core::HelmOrder{rudder_rad});
     Q_EMIT helmGiven(rudder_rad);
 }
 
 void ControlRow::setTelegraph(int shaft, core::TelegraphStep step) {
-    if (shaft >= 0 && static_cast<std::size_t>(shaft) < m_telegraphs.size())
-        m_telegraphs[static_cast<std::size_t>(shaft)]->moveTo(step);
+    if (DriveControls* const of = drive(shaft)) of->telegraph().moveTo(step);
+}
+
+void ControlRow::setPitch(int shaft, double pitch) {
+    DriveControls* const of = drive(shaft);
+    if (of == nullptr || of->pitch() == nullptr) return;
+    const double within = of->pitch()->within(pitch);
+    of->pitch()->setOrder(within, true);
+    give(core::PitchOrder{static_cast<std::uint8_t>(shaft), within});
+}
+
+void ControlRow::setAzimuth(int shaft, double angle_rad) {
+    DriveControls* const of = drive(shaft);
+    if (of == nullptr || of->azimuth() == nullptr) return;
+    of->azimuth()->setOrder(angle_rad);
+    give(core::AzimuthOrder{static_cast<std::uint8_t>(shaft), angle_rad});
+}
+
+void ControlRow::shiftPitch(int shaft, int steps) {
+    DriveControls* const of = drive(shaft);
+    if (of != nullptr && of->pitch() != nullptr) of->pitch()->moveBy(steps);
+}
+
+void ControlRow::shiftAzimuth(int shaft, int steps) {
+    DriveControls* const of = drive(shaft);
+    if (of != nullptr && of->azimuth() != nullptr) of->azimuth()->turnBy(steps);
 }
 
 void ControlRow::setThruster(int thruster, double share) {
     if (thruster < 0 || static_cast<std::size_t>(thruster) >= m_thrusters.size()) return;
-    m_lastOrder.start();
     m_thrusters[static_cast<std::size_t>(thruster)]->setOrder(share);
-    m_run.give(m_ship, core::ThrusterOrder{static_cast<std::uint8_t>(thruster), share});
+    give(core::ThrusterOrder{static_cast<std::uint8_t>(thruster), share});
     Q_EMIT thrusterGiven(thruster, share);
 }
 
@@ -149,7 +184,7 @@ void ControlRow::turnHelmBy(double rudder_rad) { m_wheel->turnTo(m_wheel->order_
 void ControlRow::midships() { m_wheel->turnTo(0.0); }
 
 void ControlRow::moveTelegraphs(int steps) {
-    for (ShaftTelegraph* telegraph : m_telegraphs) telegraph->moveBy(steps);
+    for (DriveControls* drive : m_drives) drive->telegraph().moveBy(steps);
 }
 
 void ControlRow::show(const core::Snapshot& now, const ShipReadings& readings) {
@@ -157,13 +192,7 @@ void ControlRow::show(const core::Snapshot& now, const ShipReadings& readings) {
     const bool settled = !m_lastOrder.isValid() || (m_run.running() && m_lastOrder.elapsed() > kOnItsWay_ms);
     m_wheel->setRudder(own.rudder_rad);
     if (settled) m_wheel->setOrder(own.rudderOrder_rad);
-    for (std::size_t i = 0; i < std::min(m_telegraphs.size(), own.shafts_rps.size()); ++i) {
-        m_telegraphs[i]->setShaft(own.shafts_rps[i]);
-        if (settled) m_telegraphs[i]->setOrder(own.shaftOrders_rps[i]);
-        if (i < own.drives.size())
-            m_telegraphs[i]->setNote(
-                noteOf(m_run.world()->ships[m_ship]->vessel.propulsion.units[i], own.drives[i]));
-    }
+    for (DriveControls* drive : m_drives) drive->show(own, settled);
     for (std::size_t i = 0; i < std::min(m_thrusters.size(), own.thrusters.size()); ++i) {
         m_thrusters[i]->setThrust(own.thrusters[i].share);
         if (settled) m_thrusters[i]->setOrder(own.thrusters[i].order);

@@ -15,12 +15,13 @@ namespace sagara::ui::console {
 class AnchorPanel;
 class AutopilotPanel;
 class BearingList;
+class DriveControls;
 class HelmWheel;
 class LinePanel;
-class ShaftTelegraph;
 class ThrusterLever;
 
-/// What is worked from the bridge: telegraphs, wheel, autopilot, deck. Follows what others order.
+/// What is worked from the bridge: telegraphs with pitch and azimuth, wheel, thrusters, autopilot, deck.
+/// Follows what others order.
 class ControlRow final : public QWidget {
     Q_OBJECT
 
@@ -37,6 +38,10 @@ public:
     void setHelm(double rudder_rad);
     void setTelegraph(int shaft, core::TelegraphStep step);
     void setThruster(int thruster, double share);
+    void setPitch(int shaft, double pitch);  ///< over the design pitch
+    void setAzimuth(int shaft, double angle_rad);
+    void shiftPitch(int shaft, int steps);  ///< as by the mouse wheel
+    void shiftAzimuth(int shaft, int steps);
     void turnHelmBy(double rudder_rad);
     void midships();
     void moveTelegraphs(int steps);
@@ -48,13 +53,16 @@ Q_SIGNALS:
     void thrusterGiven(int thruster, double share);
 
 private:
+    QWidget* addDrive(std::size_t i);
     QWidget* makeThrusters();
     void addDeck();
+    void give(core::Order order);
+    DriveControls* drive(int shaft);  ///< null: no such shaft
 
     ExerciseRun& m_run;
     std::uint8_t m_ship;
     HelmWheel* m_wheel;
-    std::vector<ShaftTelegraph*> m_telegraphs;
+    std::vector<DriveControls*> m_drives;  ///< port to starboard
     std::vector<ThrusterLever*> m_thrusters;
     QWidget* m_thrusterColumn = nullptr;  ///< none without thrusters
     AutopilotPanel* m_autopilot;

@@ -1,9 +1,7 @@
 #include "ui/trainee/HelmWheel.h"
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainterPath>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -17,16 +15,15 @@ constexpr double kHalfSweep_rad = 62.0 * core::kDegree_rad;  ///< of the arc, fo
 }  // namespace
 
 HelmWheel::HelmWheel(double limit_rad, QWidget* parent)
-    : Gauge(tr("Helm"), 1.6, parent), m_limit_rad(limit_rad) {
+    : Lever(tr("Helm"), 1.6, parent), m_limit_rad(limit_rad) {
     setObjectName(QStringLiteral("helm"));
-    setFocusPolicy(Qt::StrongFocus);
     setToolTip(tr("Rudder order, %1° each way: drag, mouse wheel a degree, double click midships; "
                   "keys ← → a degree, Shift ← → five, M midships")
                    .arg(limit_rad / core::kDegree_rad, 0, 'f', 0));
 }
 
 void HelmWheel::setOrder(double order_rad) {
-    if (m_held || order_rad == m_order_rad) return;
+    if (held() || order_rad == m_order_rad) return;
     m_order_rad = order_rad;
     update();
 }
@@ -81,6 +78,9 @@ void HelmWheel::paintEvent(QPaintEvent*) {
     if (turned_deg < 0.0) sweep(turned_deg, 0.0, colours().port);
     if (turned_deg > 0.0) sweep(0.0, turned_deg, colours().starboard);
     const double limit_deg = m_limit_rad / core::kDegree_rad;
+    const double words = a.radius - 0.5 * wide - 11.0 * unit();
+    int worded = 10;  // degrees; fewer where they would run into one another
+    while (worded < 30 && worded / limit_deg * kHalfSweep_rad * words < 13.0 * unit()) worded += 10;
     for (int tick = -90; tick <= 90; tick += 5) {
         if (std::abs(tick) > limit_deg + 0.1) continue;
         const bool ten = tick % 10 == 0;
@@ -88,8 +88,8 @@ void HelmWheel::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(ten ? colours().tick : colours().quietTick, ten ? 1.6 : 1.0));
         painter.drawLine(at(rudder_rad, a.radius - 0.5 * wide),
                          at(rudder_rad, a.radius - 0.5 * wide - (ten ? 5.0 : 3.0) * unit()));
-        if (!ten) continue;
-        const QPointF word = at(rudder_rad, a.radius - 0.5 * wide - 11.0 * unit());
+        if (tick % worded != 0) continue;
+        const QPointF word = at(rudder_rad, words);
         drawWords(painter,
                   QRectF(word.x() - 12.0 * unit(), word.y() - 6.0 * unit(), 24.0 * unit(), 12.0 * unit()),
                   Qt::AlignCenter, QString::number(std::abs(tick)), 8.5 * unit(), colours().quietText);
@@ -104,29 +104,18 @@ void HelmWheel::paintEvent(QPaintEvent*) {
               tr("rudder %1°").arg(sided(m_rudder_rad / core::kDegree_rad, 0)), 9.5 * unit(), colours().text);
 }
 
-void HelmWheel::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
-    m_held = true;
-    turnTo(rudderAt(event->position()));
-}
+void HelmWheel::take(QPointF p) { turnTo(rudderAt(p)); }
 
-void HelmWheel::mouseMoveEvent(QMouseEvent* event) {
-    if (m_held) turnTo(rudderAt(event->position()));
-}
+void HelmWheel::stepUp(int steps) { turnTo(m_order_rad - steps * core::kDegree_rad); }
 
-void HelmWheel::mouseReleaseEvent(QMouseEvent*) { m_held = false; }
-
-void HelmWheel::mouseDoubleClickEvent(QMouseEvent*) { turnTo(0.0); }
-
-void HelmWheel::wheelEvent(QWheelEvent* event) {
-    const int steps = event->angleDelta().y() / 120;
-    if (steps != 0) turnTo(m_order_rad - steps * core::kDegree_rad);
-    event->accept();
+bool HelmWheel::rest() {
+    turnTo(0.0);
+    return true;
 }
 
 void HelmWheel::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_M) return turnTo(0.0);
-    Gauge::keyPressEvent(event);
+    Lever::keyPressEvent(event);
 }
 
 }  // namespace sagara::ui::console

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ui/trainee/Gauge.h"
+#include "ui/trainee/Lever.h"
 
 namespace sagara::ui::console {
 
 /// The wheel: an arc of rudder orders with a knob to drag, a needle at the rudder as it is. Mouse wheel a
 /// degree at a time, double click midships.
-class HelmWheel final : public Gauge {
+class HelmWheel final : public Lever {
     Q_OBJECT
 
 public:
@@ -17,18 +17,15 @@ public:
     /// As if by hand: whole degrees, kept within the limit.
     void turnTo(double order_rad);
     double order_rad() const { return m_order_rad; }
-    bool held() const { return m_held; }
 
 Q_SIGNALS:
     void ordered(double rudder_rad);
 
 protected:
     void paintEvent(QPaintEvent*) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent*) override;
-    void wheelEvent(QWheelEvent* event) override;
+    void take(QPointF p) override;
+    void stepUp(int steps) override;
+    bool rest() override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -43,7 +40,6 @@ private:
     double m_limit_rad;
     double m_order_rad = 0.0;
     double m_rudder_rad = 0.0;
-    bool m_held = false;
 };
 
 }  // namespace sagara::ui::console

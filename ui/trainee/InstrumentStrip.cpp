@@ -64,8 +64,12 @@ void InstrumentStrip::show(const core::Snapshot& now, const ShipReadings& r, dou
     m_speed->setOverGround(r.overGround_mps, r.course_rad);
     m_speed->setThroughWater(r.ahead_mps, r.toStarboard_mps);
     m_rudder->setRudder(own.rudder_rad, own.rudderOrder_rad);
-    for (std::size_t i = 0; i < own.shafts_rps.size(); ++i)
-        m_shafts->setShaft(i, own.shafts_rps[i], own.shaftOrders_rps[i]);
+    const auto& units = m_world.ships[m_ship]->vessel.propulsion.units;
+    for (std::size_t i = 0; i < own.shafts_rps.size(); ++i) {
+        // Of lever and telegraph; where blades turn, the shaft is asked for another speed.
+        const core::ShaftState lever{.order_rps = own.shaftOrders_rps[i]};
+        m_shafts->setShaft(i, own.shafts_rps[i], core::demandOf(units[i], lever).speed_rps);
+    }
     m_wind->setRelative(r.relativeFrom_rad, r.relative_mps);
     m_wind->setTrue(r.windFrom_rad, r.wind_mps, r.heading_rad);
     m_depth->setDepth(r.underKeel_m, depthAlarm_m);

@@ -36,13 +36,14 @@ void RudderGauge::paintEvent(QPaintEvent*) {
     painter.drawRect(
         QRectF(std::min(at(0.0), at(angle_deg)), bar.top(), std::abs(at(angle_deg) - at(0.0)), bar.height()));
     const int step = 10;
+    const int worded = at(step) - at(0.0) < 17.0 * unit() ? 2 * step : step;  // apart from one another
     for (int tick = -90; tick <= 90; tick += step / 2) {
         if (std::abs(tick) > limit_deg + 0.1) continue;
         const bool ten = tick % step == 0;
         painter.setPen(QPen(ten ? colours().tick : colours().quietTick, ten ? 1.4 : 1.0));
         painter.drawLine(QPointF(at(tick), bar.bottom()),
                          QPointF(at(tick), bar.bottom() + (ten ? 6.0 : 3.5) * unit()));
-        if (ten && std::abs(tick) + 4 <= limit_deg)
+        if (tick % worded == 0 && std::abs(tick) + 4 <= limit_deg)
             drawWords(
                 painter,
                 QRectF(at(tick) - 14.0 * unit(), bar.bottom() + 6.0 * unit(), 28.0 * unit(), 14.0 * unit()),

@@ -1,9 +1,6 @@
 #include "ui/trainee/ShaftTelegraph.h"
 
 #include <QFontInfo>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QWheelEvent>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,15 +40,14 @@ QString telegraphStepText(TelegraphStep step) {
 }
 
 ShaftTelegraph::ShaftTelegraph(const QString& name, const core::TelegraphTable& table, QWidget* parent)
-    : Gauge(name, 0.7, parent), m_table(table) {
-    setFocusPolicy(Qt::StrongFocus);
+    : Lever(name, 0.7, parent), m_table(table) {
     setToolTip(tr("Telegraph of the %1 shaft: click a step or drag; mouse wheel or ↑ ↓ one step. The bar is "
                   "the shaft as it turns, in rpm; Page Up and Page Down move all levers")
                    .arg(name));
 }
 
 void ShaftTelegraph::setOrder(double order_rps) {
-    if (m_held) return;
+    if (held()) return;
     const auto nearest = std::min_element(m_table.begin(), m_table.end(), [&](double a, double b) {
         return std::abs(a - order_rps) < std::abs(b - order_rps);
     });
@@ -59,8 +55,9 @@ void ShaftTelegraph::setOrder(double order_rps) {
     update();
 }
 
-void ShaftTelegraph::setShaft(double speed_rps) {
+void ShaftTelegraph::setShaft(double speed_rps, double drives_rps) {
     m_speed_rps = speed_rps;
+    m_drives_rps = drives_rps;
     update();
 }
 
@@ -106,8 +103,8 @@ void ShaftTelegraph::paintEvent(QPaintEvent*) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours().section);
     painter.drawRoundedRect(t, 3.0, 3.0);
-    const double stop = yOf(static_cast<int>(TelegraphStep::Stop)), now = yOf(placeOf(m_speed_rps));
-    painter.setBrush(m_speed_rps < 0.0 ? colours().caution : colours().accent);
+    const double stop = yOf(static_cast<int>(TelegraphStep::Stop)), now = yOf(placeOf(m_drives_rps));
+    painter.setBrush(m_drives_rps < 0.0 ? colours().caution : colours().accent);
     painter.drawRect(
         QRectF(t.left() + 0.3 * t.width(), std::min(stop, now), 0.4 * t.width(), std::abs(stop - now)));
     const std::array names{tr("Full"),      tr("Half"), tr("Slow"), tr("Dead slow"), tr("Stop"),
@@ -126,8 +123,7 @@ void ShaftTelegraph::paintEvent(QPaintEvent*) {
                   0.74 * row, chosen ? colours().onSelected : plain, chosen);
     }
     const double y = yOf(static_cast<int>(m_step));
-    painter.setPen(QPen(hasFocus() ? colours().focus : colours().surface, hasFocus() ? 2.0 : 1.0));
-    painter.setBrush(colours().setValue);
+    prepareKnob(painter);
     painter.drawRoundedRect(
         QRectF(t.left() - 0.06 * width(), y - 3.5 * unit(), t.width() + 0.12 * width(), 7.0 * unit()), 3.0,
         3.0);
@@ -149,28 +145,8 @@ void ShaftTelegraph::take(QPointF p) {
     const QRectF t = track();
     const double place = (t.bottom() - p.y()) / t.height() * static_cast<double>(core::kTelegraphSteps);
     const auto step = static_cast<TelegraphStep>(std::clamp(static_cast<int>(std::floor(place)), 0, kLast));
-    if (step != m_step) moveTo(step);
-}
-
-void ShaftTelegraph::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
-    m_held = true;
-    take(event->position());
-}
-
-void ShaftTelegraph::mouseMoveEvent(QMouseEvent* event) {
-    if (m_held) take(event->position());
-}
-
-void ShaftTelegraph::wheelEvent(QWheelEvent* event) {
-    moveBy(event->angleDelta().y() / 120);
-    event->accept();
-}
-
-void ShaftTelegraph::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Up) return moveBy(1);
-    if (event->key() == Qt::Key_Down) return moveBy(-1);
-    Gauge::keyPressEvent(event);
+    // A click on the step it has is an order too: it takes back a pitch that was set by hand.
+    if (step != m_step || !held()) moveTo(step);
 }
 
 }  // namespace sagara::ui::console

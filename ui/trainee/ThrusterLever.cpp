@@ -1,8 +1,6 @@
 #include "ui/trainee/ThrusterLever.h"
 
 #include <QFontInfo>
-#include <QMouseEvent>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +12,7 @@ constexpr double kStep = 0.1;
 }  // namespace
 
 ThrusterLever::ThrusterLever(const QString& name, const QString& keys, QWidget* parent)
-    : Gauge(name, 1.5, parent) {
-    setFocusPolicy(Qt::StrongFocus);
+    : Lever(name, 1.5, parent) {
     setToolTip(tr("%1, 0 to 100 % each way: click or drag, to the right pushes her end to starboard; mouse "
                   "wheel a tenth, double click stop. The bar is what it pushes; at some 3 knots "
                   "half of that is lost")
@@ -24,7 +21,7 @@ ThrusterLever::ThrusterLever(const QString& name, const QString& keys, QWidget* 
 }
 
 void ThrusterLever::setOrder(double order) {
-    if (m_held || order == m_order) return;
+    if (held() || order == m_order) return;
     m_order = order;
     update();
 }
@@ -68,8 +65,7 @@ void ThrusterLever::paintEvent(QPaintEvent*) {
         const double x = xOf(0.2 * fifth);
         painter.drawLine(QPointF(x, t.top() - 0.35 * t.height()), QPointF(x, t.top() - 2.0));
     }
-    painter.setPen(QPen(hasFocus() ? colours().focus : colours().surface, hasFocus() ? 2.0 : 1.0));
-    painter.setBrush(colours().setValue);
+    prepareKnob(painter);
     const double half = 0.3 * t.height();
     painter.drawRoundedRect(
         QRectF(xOf(m_order) - half, t.top() - 0.2 * t.height(), 2.0 * half, 1.4 * t.height()), 3.0, 3.0);
@@ -88,20 +84,12 @@ void ThrusterLever::take(QPointF p) {
     moveTo((p.x() - t.center().x()) / (0.5 * t.width()));
 }
 
-void ThrusterLever::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
-    m_held = true;
-    take(event->position());
-}
+/// As the wheel of the ship: up is to port.
+void ThrusterLever::stepUp(int steps) { moveTo(m_order - steps * kStep); }
 
-void ThrusterLever::mouseMoveEvent(QMouseEvent* event) {
-    if (m_held) take(event->position());
-}
-
-void ThrusterLever::wheelEvent(QWheelEvent* event) {
-    const int steps = event->angleDelta().y() / 120;
-    if (steps != 0) moveTo(m_order - steps * kStep);
-    event->accept();
+bool ThrusterLever::rest() {
+    moveTo(0.0);
+    return true;
 }
 
 }  // namespace sagara::ui::console

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ui/trainee/Gauge.h"
+#include "ui/trainee/Lever.h"
 
 namespace sagara::ui::console {
 
 /// The lever of one thruster, port to the left: a knob at the order, a bar as it pushes. Mouse wheel a tenth
 /// at a time, double click stop.
-class ThrusterLever final : public Gauge {
+class ThrusterLever final : public Lever {
     Q_OBJECT
 
 public:
@@ -18,27 +18,22 @@ public:
     /// As if by hand: whole tenths.
     void moveTo(double order);
     double order() const { return m_order; }
-    bool held() const { return m_held; }
 
 Q_SIGNALS:
     void ordered(double share);
 
 protected:
     void paintEvent(QPaintEvent*) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent*) override { m_held = false; }
-    void mouseDoubleClickEvent(QMouseEvent*) override { moveTo(0.0); }
-    void wheelEvent(QWheelEvent* event) override;
+    void take(QPointF p) override;
+    void stepUp(int steps) override;
+    bool rest() override;
 
 private:
     QRectF track() const;
     double xOf(double share) const;
-    void take(QPointF p);
 
     double m_order = 0.0;
     double m_share = 0.0;
-    bool m_held = false;
 };
 
 }  // namespace sagara::ui::console

@@ -198,6 +198,22 @@ void TraineeConsole::setThruster(int thruster, double share) {
     if (!m_run.over()) m_controls->setThruster(thruster, share);
 }
 
+void TraineeConsole::setPitch(int shaft, double pitch) {
+    if (!m_run.over()) m_controls->setPitch(shaft, pitch);
+}
+
+void TraineeConsole::setAzimuth(int shaft, double angle_rad) {
+    if (!m_run.over()) m_controls->setAzimuth(shaft, angle_rad);
+}
+
+void TraineeConsole::shiftPitch(int shaft, int steps) {
+    if (!m_run.over()) m_controls->shiftPitch(shaft, steps);
+}
+
+void TraineeConsole::shiftAzimuth(int shaft, int steps) {
+    if (!m_run.over()) m_controls->shiftAzimuth(shaft, steps);
+}
+
 void TraineeConsole::soundHorn(bool on) { Q_EMIT horn(on); }
 
 void TraineeConsole::acknowledgeAlarms() { m_alarms->acknowledge(); }

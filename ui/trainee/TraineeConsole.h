@@ -57,6 +57,10 @@ public Q_SLOTS:
     void setHelm(double rudder_rad);
     void setTelegraph(int shaft, sagara::core::TelegraphStep step);
     void setThruster(int thruster, double share);
+    void setPitch(int shaft, double pitch);  ///< over the design pitch
+    void setAzimuth(int shaft, double angle_rad);
+    void shiftPitch(int shaft, int steps);    ///< of 5 %
+    void shiftAzimuth(int shaft, int steps);  ///< of 5 degrees
     void soundHorn(bool on);
     void acknowledgeAlarms();
     void look(double yaw_radps);  ///< the view turns so fast until the next call

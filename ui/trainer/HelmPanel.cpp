@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "ui/trainer/DriveSliders.h"
 
 namespace sagara::ui {
 namespace {
@@ -99,6 +100,7 @@ HelmPanel::HelmPanel(ExerciseRun& run, std::uint8_t ship, QWidget* parent)
         });
         m_telegraphs.push_back(telegraph);
     }
+    m_drives = new DriveSliders(run, ship, *form);
     addThrusters(*form);
     connect(m_pilot, &QCheckBox::toggled, this,
             [this](bool on) { m_run.give(m_ship, core::PilotOrder{on}); });
@@ -150,6 +152,7 @@ void HelmPanel::refresh() {
         const int step = nearestStep(table, ship.shaftOrders_rps[i]);
         m_telegraphs[i]->setCurrentIndex(m_telegraphs[i]->findData(step));
     }
+    m_drives->refresh(ship, follows);
     for (std::size_t i = 0; i < std::min(m_thrusters.size(), ship.thrusters.size()); ++i) {
         if (m_thrusters[i]->isSliderDown() || !follows) continue;
         const QSignalBlocker still(m_thrusters[i]);

@@ -13,8 +13,10 @@ class QSlider;
 
 namespace sagara::ui {
 
-/// Rudder, telegraph, thrusters and the scripted pilot of one own ship, worked from the desk. Follows what
-/// others order.
+class DriveSliders;
+
+/// Rudder, telegraph, pitch, azimuth drives, thrusters and the scripted pilot of one own ship, worked from
+/// the desk. Follows what others order.
 class HelmPanel final : public QWidget {
     Q_OBJECT
 
@@ -31,6 +33,7 @@ private:
     QSlider* m_rudder;  ///< degrees, starboard to the right
     QLabel* m_order;
     std::vector<QComboBox*> m_telegraphs;
+    DriveSliders* m_drives;
     std::vector<QSlider*> m_thrusters;  ///< tenths of full thrust, starboard to the right
     std::int64_t m_tick = 0;            ///< of what is shown
 };

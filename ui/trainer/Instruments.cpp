@@ -49,8 +49,18 @@ Instruments::Instruments(const core::World& world, std::size_t ship, QWidget* pa
     m_pivot = row(tr("Pivot point"), tr("m"), tr("Point about which she turns, from midship"));
     m_rudder = row(tr("Rudder (ordered)"), tr("°"), {});
     const auto& units = world.ships[ship]->vessel.propulsion.units;
-    for (const core::PropulsionUnit& unit : units)
-        m_shafts.push_back(row(tr("Shaft %1 (ordered)").arg(QString::fromStdString(unit.id)), tr("rpm"), {}));
+    for (const core::PropulsionUnit& unit : units) {
+        const QString name = QString::fromStdString(unit.id);
+        m_shafts.push_back(row(tr("Shaft %1 (ordered)").arg(name), tr("rpm"), {}));
+        m_bladePitches.push_back(unit.pitch
+                                     ? row(tr("Blades %1 (ordered)").arg(name), tr("%"),
+                                           tr("Pitch of the blades over the design pitch, ahead positive"))
+                                     : nullptr);
+        m_drives.push_back(unit.azimuth ? row(tr("Drive %1 (ordered)").arg(name), tr("°"),
+                                              tr("Where the drive pushes her, clockwise from ahead; the "
+                                                 "order is without the wheel"))
+                                        : nullptr);
+    }
     m_depth = row(tr("Under the keel"), tr("m"), tr("Water under the keel"));
     m_wind = row(tr("True wind"), tr("kn"), tr("From where, with its gusts"));
     m_roll = row(tr("Roll"), tr("°"), {});
@@ -97,11 +107,21 @@ void Instruments::show(const core::Snapshot& now) {
     const auto pivot_m = pivotAhead_m(m);
     m_pivot->setText(pivot_m && std::abs(*pivot_m) < 1000.0 ? sided(*pivot_m, 0, tr("abaft"), tr("ahead"))
                                                             : tr("none"));
-    m_rudder->setText(tr("%1 (%2)").arg(sided(degrees(s.rudder_rad), 1, port, starboard),
+    m_rudder->setText(tr("%1 (%2)").arg(sided(degrees(s.rudder_rad), 1, tr("P"), tr("S")),
                                         sided(degrees(s.rudderOrder_rad), 1, tr("P"), tr("S"))));
     for (std::size_t i = 0; i < std::min(m_shafts.size(), s.shafts_rps.size()); ++i)
         m_shafts[i]->setText(tr("%1 (%2)").arg(fixed(s.shafts_rps[i] / core::kRpm_rps, 0),
                                                fixed(s.shaftOrders_rps[i] / core::kRpm_rps, 0)));
+    const auto fromAhead = [](double rad) { return chart::bearing(degrees(core::wrapTwoPi(rad))); };
+    for (std::size_t i = 0; i < std::min(m_shafts.size(), s.drives.size()); ++i) {
+        const core::DriveView& drive = s.drives[i];
+        if (m_bladePitches[i] != nullptr)
+            m_bladePitches[i]->setText(
+                tr("%1 (%2)").arg(fixed(100.0 * drive.pitch, 0), fixed(100.0 * drive.pitchOrder, 0)));
+        if (m_drives[i] != nullptr)
+            m_drives[i]->setText(
+                tr("%1 (%2)").arg(fromAhead(drive.azimuth_rad), fromAhead(drive.azimuthOrder_rad)));
+    }
     m_depth->setText(s.aground ? tr("aground") : fixed(s.underKeel_m, 1));
     m_wind->setText(
         tr("%1°T %2").arg(trueBearing(now.wind.windFrom_rad), fixed(knots(now.wind.speed_mps), 0)));

@@ -27,6 +27,7 @@ private:
     QLabel *m_heading, *m_course, *m_speedOverGround, *m_speedThroughWater, *m_rateOfTurn, *m_drift, *m_pivot,
         *m_rudder, *m_wind, *m_depth, *m_roll, *m_pitch;
     std::vector<QLabel*> m_shafts;
+    std::vector<QLabel*> m_bladePitches, m_drives;  ///< as m_shafts, null where she has none
 };
 
 /// Where the ship turns about: distance ahead of midship of the point without sideways speed; nothing when

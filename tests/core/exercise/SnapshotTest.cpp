@@ -72,6 +72,33 @@ TEST(Snapshot, AnOwnShipIsMooredAnchoredNotUnderCommandOrUnderWay) {
     EXPECT_EQ(now(), Activity::UnderWay);
 }
 
+TEST(Snapshot, ShowsOrderedAndAchievedPitchAndDirectionOfTheDrives) {
+    const auto worldWith = [](const char* vessel) {
+        return test::worldOf(test::with(test::openWaterScenario(1, 0), "/ownShips/0/vessel", vessel));
+    };
+    const auto ferry = worldWith("\"ferry86\"");
+    State state = startState(*ferry, 1);
+    ShaftState& shaft = state.ships[0].shafts[1];
+    shaft.order_rps = 0.0;
+    shaft.pitch = 0.25;
+    const auto drive = [&](const World& world) { return view(world, state).ships[0].drives[1]; };
+    EXPECT_EQ(drive(*ferry).pitchOrder, 0.0) << "the lever at stop takes the pitch off";
+    EXPECT_EQ(drive(*ferry).pitch, 0.25);
+    EXPECT_FALSE(drive(*ferry).pitchByHand);
+    shaft.pitchByHand = true;
+    shaft.pitchOrder = -7.0;
+    EXPECT_TRUE(drive(*ferry).pitchByHand);
+    EXPECT_EQ(drive(*ferry).pitchOrder, ferry->ships[0]->vessel.propulsion.units[1].pitch->least);
+
+    const auto tug = worldWith("\"tug30\"");
+    state = startState(*tug, 1);
+    state.ships[0].shafts[1].azimuthOrder_rad = 2.0;
+    state.ships[0].shafts[1].azimuth_rad = 1.5;
+    EXPECT_EQ(drive(*tug).azimuthOrder_rad, 2.0);
+    EXPECT_EQ(drive(*tug).azimuth_rad, 1.5);
+    EXPECT_EQ(drive(*tug).pitch, 1.0) << "fixed blades";
+}
+
 TEST(Snapshot, OnePumpOrOneEngineOfTwoStillLeavesHerUnderCommand) {
     const auto world = test::lessonWorld();
     State state = startState(*world, 1);

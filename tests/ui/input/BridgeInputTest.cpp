@@ -99,6 +99,34 @@ TEST_F(BridgeInputs, ThrustersStepFromWhatWasOrderedOtherwise) {
     EXPECT_EQ(stern[2][0].toDouble(), 0.0);
 }
 
+TEST_F(BridgeInputs, PitchAndAzimuthAreOfOneShaftOrOfAll) {
+    QSignalSpy pitch(&input, &BridgeInput::pitchWanted), azimuth(&input, &BridgeInput::azimuthWanted);
+    QSignalSpy pitchShift(&input, &BridgeInput::pitchShiftWanted);
+    QSignalSpy azimuthShift(&input, &BridgeInput::azimuthShiftWanted);
+    test::VirtualStick stick(2, 0, 0);
+    poll();
+    ControlMap map = input.mapOf(device());
+    map.axes[0] = {AxisUse::Pitch, 1, {}};
+    map.axes[1] = {AxisUse::Azimuth, kEveryShaft, {}};
+    input.setMap(device().model, map);
+    stick.setAxis(0, -1.0);
+    stick.setAxis(1, 1.0);
+    poll();
+    ASSERT_EQ(pitch.size(), 1);
+    EXPECT_EQ(pitch[0][0].toInt(), 1);
+    EXPECT_NEAR(pitch[0][1].toDouble(), -1.0, 1e-4) << "the design pitch, astern";
+    ASSERT_EQ(azimuth.size(), 2);
+    EXPECT_NEAR(azimuth[1][1].toDouble(), core::kPi, 1e-3) << "all the way to the right is aft";
+    input.perform(BridgeAction::PitchAhead, kEveryShaft, true);
+    ASSERT_EQ(pitchShift.size(), 2);
+    EXPECT_EQ(pitchShift[1][1].toInt(), 2) << "10 %";
+    input.perform(BridgeAction::AzimuthPort, 0, true);
+    ASSERT_EQ(azimuthShift.size(), 1);
+    EXPECT_EQ(azimuthShift[0][1].toInt(), -3) << "15 degrees";
+    EXPECT_TRUE(needsShaft(AxisUse::Azimuth));
+    EXPECT_FALSE(needsShaft(AxisUse::Rudder));
+}
+
 TEST_F(BridgeInputs, TheHornStopsWhenTheStickIsTornOut) {
     test::VirtualStick stick(1, 2, 0);
     poll();
