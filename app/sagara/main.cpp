@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/files/AssetSource.h"
+#include "app/run/PrepareHulls.h"
 #include "app/station/Doors.h"
 #include "app/station/Station.h"
 #include "app/station/WindowScale.h"
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
     stage.preset = station::presetOfThisMachine();
     stage.ownModels = (*store)->ownModels();
     stage.headless = !render::displayIsSet();
+    const run::PrepareHulls prepared(**store);
     station::Station window(**store, stage);
     const bool trainee = role == "trainee";
     if (demo || fullScreen || trainee) {
