@@ -30,7 +30,8 @@ std::string remarkOn(const Film& film) {
 }  // namespace
 
 core::Result<std::shared_ptr<const Film>, std::string> openFilm(const std::filesystem::path& file,
-                                                                const KeepOn& keepOn) {
+                                                                const KeepOn& keepOn,
+                                                                std::shared_ptr<core::SeaHulls> hulls) {
     const std::string calledOff;
     auto film = std::make_shared<Film>();
     film->file = file;
@@ -43,7 +44,7 @@ core::Result<std::shared_ptr<const Film>, std::string> openFilm(const std::files
         film->recording = std::move(recording).value();
     }
     if (!keepOn(0.3)) return calledOff;
-    auto world = core::worldOf(film->recording);
+    auto world = core::worldOf(film->recording, std::move(hulls));
     if (!world) return file.filename().string() + ": its exercise cannot be built\n" + world.error().text();
     film->world = std::move(world).value();
     film->exact = film->recording.sameBuild();

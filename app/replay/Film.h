@@ -28,9 +28,9 @@ struct Film {
 /// Tells how far it is, 0 to 1; false: call it off.
 using KeepOn = std::function<bool(double)>;
 
-/// Reads a recording as far as it is whole. Takes seconds for one of many hours. The error is for the person
-/// who chose the file; empty when it was called off.
-core::Result<std::shared_ptr<const Film>, std::string> openFilm(const std::filesystem::path& file,
-                                                                const KeepOn& keepOn);
+/// Reads a recording as far as it is whole; `hulls`: where those of its ships may be. Takes seconds for one
+/// of many hours. The error is for the person who chose the file; empty when it was called off.
+core::Result<std::shared_ptr<const Film>, std::string> openFilm(
+    const std::filesystem::path& file, const KeepOn& keepOn, std::shared_ptr<core::SeaHulls> hulls = nullptr);
 
 }  // namespace sagara::replay

@@ -27,14 +27,15 @@ RunSummary summaryOf(const core::World& world, const core::Recording& recording)
 
 std::string writeRecordingReport(const std::filesystem::path& path,
                                  const std::optional<report::AssessorNote>& assessor,
-                                 const std::filesystem::path& to, const std::function<bool(int)>& goOn) {
+                                 const std::filesystem::path& to, std::shared_ptr<core::SeaHulls> hulls,
+                                 const std::function<bool(int)>& goOn) {
     const auto bytes = files::readBinaryFile(path);
     if (!bytes) return bytes.error().message;
     if (!goOn(10)) return {};
     const auto recording = core::readRecording(*bytes);
     if (!recording) return path.string() + ": " + recording.error();
     if (!goOn(20)) return {};
-    const auto world = core::worldOf(*recording, store.hulls());
+    const auto world = core::worldOf(*recording, std::move(hulls));
     if (!world) return world.error().text();
     if (!goOn(50)) return {};
     const RunSummary summary = summaryOf(**world, *recording);

@@ -33,7 +33,7 @@ int replayRecording(const ReplayOptions& options) {
         tell(name + ": " + recording->damage + "; what is whole, up to " +
              clock(core::timeOfTick(recording->endTick).seconds()) + ", is used");
     }
-    const auto built = core::worldOf(*recording, store.hulls());
+    const auto built = core::worldOf(*recording);
     if (!built) return tell(built.error().text()), kBadRequest;
     const core::World& world = **built;
     std::shared_ptr<const core::Mission> rubric;

@@ -86,8 +86,8 @@ std::optional<Prepared> prepareNew(Store& store, const RunOptions& options) {
     return p;
 }
 
-std::optional<Prepared> prepareResumed(const RunOptions& options) {
-    auto found = takeUp(*options.resume);
+std::optional<Prepared> prepareResumed(const Store& store, const RunOptions& options) {
+    auto found = takeUp(*options.resume, store.hulls());
     if (!found) return tell(found.error()), std::nullopt;
     TakenUp taken = std::move(found).value();
     tell(fmt::format(
@@ -167,7 +167,7 @@ int runExercise(Store& store, const RunOptions& options) {
     if (!store.trouble().empty()) tell(store.trouble());
     for (const std::string& message : filing.fileNoted()) tell(message);
     if (!haveFolders(options)) return kBadRequest;
-    auto prepared = options.resume ? prepareResumed(options) : prepareNew(store, options);
+    auto prepared = options.resume ? prepareResumed(store, options) : prepareNew(store, options);
     if (!prepared) return kBadRequest;
 
     std::string trouble;

@@ -25,13 +25,14 @@ core::Result<TakenUp, std::string> takenUp(const std::string& name, std::shared_
 
 }  // namespace
 
-core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& path) {
+core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& path,
+                                          std::shared_ptr<core::SeaHulls> hulls) {
     const auto bytes = files::readBinaryFile(path);
     if (!bytes) return bytes.error().message;
     const auto recording = core::readRecording(*bytes);
     if (!recording) return path.string() + ": " + recording.error();
     if (recording->end) return path.string() + ": this run has ended; there is nothing to take up again";
-    auto world = core::worldOf(*recording, store.hulls());
+    auto world = core::worldOf(*recording, std::move(hulls));
     if (!world) return world.error().text();
     auto taken = takenUp(path.string(), std::move(world).value(), *recording);
     if (!taken) return taken;

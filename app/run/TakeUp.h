@@ -23,7 +23,8 @@ struct TakenUp {
 
 /// Fails, with a message that names the file, when it cannot be read, when the run has ended, or when it is
 /// of another build.
-core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& recording);
+core::Result<TakenUp, std::string> takeUp(const std::filesystem::path& recording,
+                                          std::shared_ptr<core::SeaHulls> hulls);
 
 /// A run in this world that goes back to a whole second it has sailed, whether it has ended or not.
 struct SetBack {

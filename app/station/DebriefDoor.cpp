@@ -25,11 +25,13 @@ constexpr int kMostListed = 2000;
 QString tr(const char* text) { return QCoreApplication::translate("sagara::station::DebriefDoor", text); }
 
 core::Result<std::unique_ptr<ui::Replay>, std::string> openReplay(const fs::path& file,
-                                                                  ui::OpenProgress& progress) {
-    auto film = replay::openFilm(file, [&progress](double done) {
+                                                                  ui::OpenProgress& progress,
+                                                                  std::shared_ptr<core::SeaHulls> hulls) {
+    const auto keepOn = [&progress](double done) {
         progress.permille = static_cast<int>(900.0 * done);
         return !progress.cancelled;
-    });
+    };
+    auto film = replay::openFilm(file, keepOn, std::move(hulls));
     if (!film) return film.error();
     ui::ReplayResult result = replay::resultOf(**film);
     return std::unique_ptr<ui::Replay>(
@@ -117,7 +119,9 @@ std::string whyNotARecording(const fs::path& file) {
 
 ui::DebriefPorts debriefPorts(run::Store& store, const fs::path& recording) {
     ui::DebriefPorts ports;
-    ports.open = [recording](ui::OpenProgress& progress) { return openReplay(recording, progress); };
+    ports.open = [recording, hulls = store.hulls()](ui::OpenProgress& progress) {
+        return openReplay(recording, progress, hulls);
+    };
     ports.branch = [&store](const ui::Replay& replay,
                             core::State from) -> core::Result<std::unique_ptr<ui::Branch>, std::string> {
         auto branch = replay::BranchRun::open(

@@ -177,9 +177,9 @@ Trouble ResultStore::openDebrief() {
 
 core::Result<roster::Job, QString> ResultStore::reportJob(const QString& file) {
     if (m_run) return reportJobOf(m_frame.store(), *m_run, file);
-    return roster::Job([recording = m_recording,
+    return roster::Job([recording = m_recording, hulls = m_frame.store().hulls(),
                         to = std::filesystem::path(file.toStdString())](roster::JobControl& control) {
-        return fromStd(run::writeRecordingReport(recording, std::nullopt, to, [&control](int percent) {
+        return fromStd(run::writeRecordingReport(recording, std::nullopt, to, hulls, [&control](int percent) {
             control.setPercent(percent);
             return !control.cancelled();
         }));

@@ -191,8 +191,8 @@ core::Result<roster::Job, QString> reportJobOf(run::Store& store, db::RunId run,
     });
     if (trouble) return *trouble;
     const std::filesystem::path to = file.toStdString();
-    return roster::Job([recording, note, to](roster::JobControl& control) {
-        return fromStd(run::writeRecordingReport(recording, note, to, [&control](int percent) {
+    return roster::Job([recording, note, to, hulls = store.hulls()](roster::JobControl& control) {
+        return fromStd(run::writeRecordingReport(recording, note, to, hulls, [&control](int percent) {
             control.setPercent(percent);
             return !control.cancelled();
         }));

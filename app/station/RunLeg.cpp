@@ -38,7 +38,7 @@ core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::begin(run::Store& sto
 
 core::Result<std::unique_ptr<RunLeg>, std::string> RunLeg::takeUp(run::Store& store,
                                                                   const std::filesystem::path& recording) {
-    auto found = run::takeUp(recording);
+    auto found = run::takeUp(recording, store.hulls());
     if (!found) return found.error();
     run::TakenUp taken = std::move(found).value();
     std::string trouble;
