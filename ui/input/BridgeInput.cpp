@@ -332,7 +332,9 @@ bool BridgeInput::eventFilter(QObject* object, QEvent* event) {
         perform(action, shaft, false);
         return true;
     }
-    if (widget->window() != m_window || keepsKey(widget, key)) return false;
+    // The bridge may be a page of a window: its keys are orders while it is the page that is shown.
+    if (widget->window() != m_window->window() || !m_window->isVisible() || keepsKey(widget, key))
+        return false;
     const auto action = actionOf(m_keys, key);
     if (!action) return false;
     if (key.isAutoRepeat() && !repeats(*action)) return true;

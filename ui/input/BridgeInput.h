@@ -35,7 +35,7 @@ public:
     void setShip(const BridgeShip& ship);
     const BridgeShip& ship() const { return m_ship; }
 
-    /// Keys pressed in this window are orders, unless the field with the focus needs them. Null: none.
+    /// Keys pressed in its window are orders while it is seen, unless the focus needs them. Null: none.
     void watchKeys(QWidget* window);
 
     /// While paused everything is read and shown, and nothing is wished: somebody calibrates.

@@ -1,6 +1,7 @@
 #include "ui/trainee/DriveControls.h"
 
 #include <QHBoxLayout>
+#include <algorithm>
 
 #include "ui/trainee/AzimuthDial.h"
 #include "ui/trainee/LinePanel.h"
@@ -31,7 +32,8 @@ DriveControls::DriveControls(const core::Propulsion& propulsion, std::size_t sha
 }
 
 void DriveControls::setUnit(double unit) {
-    m_telegraph->setFixedWidth(static_cast<int>(124.0 * unit));
+    // Letters do not shrink below those of unit 1: name and rpm have to fit.
+    m_telegraph->setFixedWidth(static_cast<int>(124.0 * std::max(1.0, unit)));
     if (m_pitch != nullptr) m_pitch->setFixedWidth(static_cast<int>(64.0 * unit));
     if (m_azimuth != nullptr) m_azimuth->setFixedWidth(static_cast<int>(116.0 * unit));
 }

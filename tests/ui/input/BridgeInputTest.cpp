@@ -231,5 +231,23 @@ TEST_F(BridgeInputs, KeysOfTheWatchedWindowAreOrdersExceptInAField) {
     EXPECT_EQ(helm.size(), 2);
 }
 
+TEST_F(BridgeInputs, KeysReachABridgeThatIsAPageOfAWindow) {
+    QWidget window;
+    QWidget page(&window), pane(&page), header(&window);
+    window.show();
+    input.watchKeys(&page);
+    QTest::keyClick(&pane, Qt::Key_Left);
+    QTest::keyClick(&header, Qt::Key_Left);
+    EXPECT_EQ(helm.size(), 2);
+    page.hide();  // another page has come in front
+    QTest::keyClick(&header, Qt::Key_Left);
+    EXPECT_EQ(helm.size(), 2);
+    QWidget other;
+    other.show();
+    page.show();
+    QTest::keyClick(&other, Qt::Key_Left);
+    EXPECT_EQ(helm.size(), 2);
+}
+
 }  // namespace
 }  // namespace sagara::ui
