@@ -55,7 +55,8 @@ std::vector<link::Message> oneOfEach() {
     proof.fill(std::byte{9});
     ChannelView view{"left", 1, {0.5, -4.0, 0.2}, -1.05, {0.6, 0.5, 0.3, 0.4}, 640, 360, Output::Offscreen};
     link::Setup setup{
-        {{"scenario", "{}"}, {"galle", "{\"a\": 1}"}, {{"patrol51", "{}"}, {"esso-osaka", "{}"}}}, 42};
+        {{"scenario", "{}"}, {"galle", "{\"a\": 1}"}, {{"patrol51", "{}"}, {"esso-osaka", "{}"}}, nullptr},
+        42};
     return {Greeting{{1, 2}, nonce, "build"},
             Hello{Role::Observer, "left", proof, "build", 4711},
             Refused{"the channel is taken", {1}},
