@@ -40,7 +40,7 @@ TEST_F(RefusedFile, OfANewerVersionIsNamedAndLeftAlone) {
     makeHealthy();
     executeIn(m_file, u"PRAGMA user_version = 7"_s);
     expectRefusal(Kind::Newer,
-                  ": was written by a newer Sagara: has schema version 7, this program reads 1 to 2. "
+                  ": was written by a newer Sagara: has schema version 7, this program reads 1 to 3. "
                   "Update Sagara or choose another data folder; the file was left as it is.");
 }
 

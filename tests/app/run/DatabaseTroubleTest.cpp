@@ -117,7 +117,7 @@ TEST_F(DatabaseTrouble, WrittenByANewerVersion) {
     expectSailedUnfiled(run,
                         "was written by a newer Sagara: has schema version 99, this program reads 1 to ");
     EXPECT_TRUE(bytesOf(database()) == newer);
-    Sqlite(database()).execute("PRAGMA user_version = 2");
+    Sqlite(database()).execute("PRAGMA user_version = 3");
     expectFiledLater();
 }
 
