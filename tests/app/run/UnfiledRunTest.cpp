@@ -13,7 +13,7 @@ protected:
         simDone({"list", "runs"});
         Sqlite(database()).execute("PRAGMA user_version = 99");
     }
-    void mend() const { Sqlite(database()).execute("PRAGMA user_version = 2"); }
+    void mend() const { Sqlite(database()).execute("PRAGMA user_version = 3"); }
     std::vector<std::string> notes() const {
         std::vector<std::string> notes;
         for (const std::string& name : namesIn(data() / "recordings")) {
