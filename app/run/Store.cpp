@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/Files.h"
+#include "app/run/DatabaseTables.h"
 #include "core/base/Config.h"
 #include "db/DocumentRepository.h"
 #include "db/Transaction.h"
@@ -29,6 +30,16 @@ db::DocumentTable tableOf(core::DocumentKind kind) {
     return db::DocumentTable::Vessel;
 }
 
+std::shared_ptr<core::SeaHulls> hullsKeptIn(const std::filesystem::path& database) {
+    struct Kept {
+        explicit Kept(const std::filesystem::path& file) : tables(file), hulls(&tables) {}
+        DatabaseTables tables;
+        core::SeaHulls hulls;
+    };
+    const auto kept = std::make_shared<Kept>(database);
+    return {kept, &kept->hulls};
+}
+
 /// The "name" of a document, or its id.
 std::string nameIn(const std::string& text, const std::string& id) {
     const auto json = nlohmann::json::parse(text, nullptr, false);
@@ -45,8 +56,7 @@ core::Utc now() {
 
 Store::Store(db::DataFolder folder)
     : m_folder(std::move(folder)),
-      m_tables(m_folder.database()),
-      m_hulls(std::make_shared<core::SeaHulls>(&m_tables)),
+      m_hulls(hullsKeptIn(m_folder.database())),
       m_assets(files::assetFolder()) {}
 
 core::Result<std::unique_ptr<Store>, std::string> Store::open(

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/files/AssetSource.h"
-#include "app/run/DatabaseTables.h"
 #include "core/base/Utc.h"
 #include "core/exercise/Documents.h"
 #include "db/DataFolder.h"
@@ -55,8 +54,7 @@ private:
     void takeInAssets();
 
     db::DataFolder m_folder;
-    DatabaseTables m_tables;
-    std::shared_ptr<core::SeaHulls> m_hulls;
+    std::shared_ptr<core::SeaHulls> m_hulls;  ///< with their cache: a worker may outlive the store
     files::AssetSource m_assets;
     std::unique_ptr<db::Database> m_database;
     std::string m_trouble;
