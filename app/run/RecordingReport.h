@@ -6,8 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "core/seakeeping/SeaHulls.h"
 #include "ui/report/ReportData.h"
+
+namespace sagara::core {
+class SeaHulls;
+}
 
 namespace sagara::run {
 

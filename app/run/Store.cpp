@@ -7,6 +7,7 @@
 #include "app/files/Files.h"
 #include "app/run/DatabaseTables.h"
 #include "core/base/Config.h"
+#include "core/seakeeping/SeaHulls.h"
 #include "db/DocumentRepository.h"
 #include "db/Transaction.h"
 
@@ -31,13 +32,7 @@ db::DocumentTable tableOf(core::DocumentKind kind) {
 }
 
 std::shared_ptr<core::SeaHulls> hullsKeptIn(const std::filesystem::path& database) {
-    struct Kept {
-        explicit Kept(const std::filesystem::path& file) : tables(file), hulls(&tables) {}
-        DatabaseTables tables;
-        core::SeaHulls hulls;
-    };
-    const auto kept = std::make_shared<Kept>(database);
-    return {kept, &kept->hulls};
+    return std::make_shared<core::SeaHulls>(std::make_shared<DatabaseTables>(database));
 }
 
 /// The "name" of a document, or its id.

@@ -8,6 +8,7 @@
 #include "app/tools/VesselChoice.h"
 #include "core/base/Units.h"
 #include "core/seakeeping/Response.h"
+#include "core/seakeeping/SeaHulls.h"
 
 namespace sagara::tools {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/exercise/StartCheck.h"
 #include "core/exercise/TrafficDocument.h"
 #include "core/exercise/World.h"
+#include "core/seakeeping/SeaHulls.h"
 #include "core/world/MarkDocument.h"
 
 /// Reading of the scenario document and everything that is worked out from it once.

@@ -10,9 +10,10 @@
 #include "core/base/Hash.h"
 #include "core/base/Problems.h"
 #include "core/base/Result.h"
-#include "core/seakeeping/SeaHulls.h"
 
 namespace sagara::core {
+
+class SeaHulls;
 
 /// Pictures are only looked up: their model files lie in assets/ of every PC that draws, and so do they.
 enum class DocumentKind : std::uint8_t { Vessel, Area, Scenario, Picture };

@@ -5,9 +5,7 @@
 namespace sagara::core {
 
 SeaHull::SeaHull(const HullForm& form, const SeakeepingTables& tables, bool transom)
-    : inputHash(tables.inputHash),
-      transomTerms(transom),
-      mass_kg(tables.mass_kg),
+    : transomTerms(transom),
       mass(tables.mass),
       addedMass(tables.addedMassInfinite),
       restoring(tables.restoring),

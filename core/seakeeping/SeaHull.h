@@ -12,9 +12,7 @@ struct SeaHull {
     /// `transomTerms`: as the tables were made.
     SeaHull(const HullForm& form, const SeakeepingTables& tables, bool transomTerms = true);
 
-    std::uint64_t inputHash;
     bool transomTerms;
-    double mass_kg;
     Matrix6 mass;       ///< rigid body
     Matrix6 addedMass;  ///< at infinite frequency
     Matrix6 restoring;

@@ -12,11 +12,12 @@ std::shared_ptr<const SeaHull> SeaHulls::held(std::uint64_t hash) const {
     return known == m_known.end() ? nullptr : known->second.lock();
 }
 
-void SeaHulls::keep(std::uint64_t hash, const std::shared_ptr<const SeaHull>& hull) {
+void SeaHulls::made(std::uint64_t hash, std::shared_ptr<const SeaHull> hull) {
     const std::scoped_lock lock(m_lock);
-    m_known[hash] = hull;
     m_making.erase(hash);
-    m_last.push_back(hull);
+    if (!hull) return;
+    m_known[hash] = hull;
+    m_last.push_back(std::move(hull));
     if (m_last.size() > kLast) m_last.pop_front();
 }
 
@@ -33,11 +34,17 @@ std::shared_ptr<const SeaHull> SeaHulls::of(const Hull& hull) {
         if (!other.valid()) m_making[hash] = promise.get_future().share();
     }
     if (other.valid()) return other.get();
-    auto made =
-        std::make_shared<const SeaHull>(form, tablesFor(form, options, m_cache), options.transomTerms);
-    keep(hash, made);
-    promise.set_value(made);
-    return made;
+    try {
+        auto ready = std::make_shared<const SeaHull>(form, tablesFor(form, options, m_cache.get()),
+                                                     options.transomTerms);
+        made(hash, ready);
+        promise.set_value(ready);
+        return ready;
+    } catch (...) {
+        made(hash, nullptr);
+        promise.set_exception(std::current_exception());
+        throw;
+    }
 }
 
 }  // namespace sagara::core

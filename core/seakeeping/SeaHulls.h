@@ -17,18 +17,19 @@ namespace sagara::core {
 /// among the last few. From any thread; whoever wants one that is being made waits for it.
 class SeaHulls {
 public:
-    /// Without a cache nothing outlives the program. The cache outlives this and may be asked by several
-    /// threads at once.
-    explicit SeaHulls(TableCache* cache = nullptr) : m_cache(cache) {}
+    /// Without a cache nothing outlives the program. It may be asked by several threads at once.
+    explicit SeaHulls(std::shared_ptr<TableCache> cache = nullptr) : m_cache(std::move(cache)) {}
 
+    /// What making the hull throws reaches everybody who waits for it; the next one tries again.
     std::shared_ptr<const SeaHull> of(const Hull& hull);
 
 private:
     using Made = std::shared_future<std::shared_ptr<const SeaHull>>;
     std::shared_ptr<const SeaHull> held(std::uint64_t hash) const;
-    void keep(std::uint64_t hash, const std::shared_ptr<const SeaHull>& hull);
+    /// The hull under way is made, or null where it could not be.
+    void made(std::uint64_t hash, std::shared_ptr<const SeaHull> hull);
 
-    TableCache* m_cache;
+    std::shared_ptr<TableCache> m_cache;
     std::mutex m_lock;
     std::map<std::uint64_t, std::weak_ptr<const SeaHull>> m_known;
     std::map<std::uint64_t, Made> m_making;

@@ -38,8 +38,7 @@ private:
 }  // namespace
 
 std::shared_ptr<core::SeaHulls> seaHulls() {
-    static FolderCache cache;
-    static const auto hulls = std::make_shared<core::SeaHulls>(&cache);
+    static const auto hulls = std::make_shared<core::SeaHulls>(std::make_shared<FolderCache>());
     return hulls;
 }
 
