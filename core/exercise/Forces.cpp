@@ -10,7 +10,8 @@ ShipForces forcesOn(const World& world, const State& state, std::size_t index) {
     const TickEnvironment environment(world, state);
     const Actuators actuators = actuatorsOf(ship, s);
     const TickLoads loads(world, state, index, environment, actuators);
-    const HullForces own = ship.dynamics.hullForces(s.motion, actuators, loads.depth_m());
+    const ShipMotion throughWater = ship.dynamics.throughWater(s.motion, loads.waves().forces);
+    const HullForces own = ship.dynamics.hullForces(throughWater, actuators, loads.depth_m());
 
     ShipForces forces;
     const auto set = [&](ForceCause cause, const Load& l) {

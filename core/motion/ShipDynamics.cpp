@@ -208,14 +208,20 @@ ShipMotion ShipDynamics::derivative(const ShipMotion& m, const Actuators& actuat
     return onSprings(m, actuators, external, {}, current, depth_m);
 }
 
+ShipMotion ShipDynamics::throughWater(const ShipMotion& m, const WaveForces& waves) const {
+    ShipMotion relative = m;
+    if (!m_sea) return relative;
+    relative.surge_mps -= waves.waterSurge_mps;
+    relative.sway_mps -= waves.waterSway_mps;
+    relative.roll_rad -= m_sea->effectiveHeel_rad(waves);
+    return relative;
+}
+
 MovingShip ShipDynamics::derivative(const MovingShip& ship, const Actuators& actuators, const Load& external,
                                     const WaveEffect& waves, NorthEast current, double depth_m) const {
     const ShipMotion& m = ship.motion;
     if (!m_sea) return {onSprings(m, actuators, external, waves.heights, current, depth_m), {}};
-    ShipMotion relative = m;  // to the water that goes to and fro and slopes in the waves
-    relative.surge_mps -= waves.forces.waterSurge_mps;
-    relative.sway_mps -= waves.forces.waterSway_mps;
-    relative.roll_rad -= m_sea->effectiveHeel_rad(waves.forces);
+    const ShipMotion relative = throughWater(m, waves.forces);
     const Load load = external + waves.wetted + meanForce(waves.forces) +
                       thrusterLoad(m_thrusters, relative, actuators, m_hull);
     const SeaMotion::Rate at =

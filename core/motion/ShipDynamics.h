@@ -39,6 +39,10 @@ public:
     /// What the active components do to her as she lies and moves. `shelter`: factor on their heights.
     WaveEffect wavesAt(const ActiveWaves& waves, const ShipMotion& m, double shelter) const;
 
+    /// Her motion through the water that goes to and fro and slopes in the waves: what her manoeuvring model
+    /// is asked with. Without a hull for the sea: as she moves.
+    ShipMotion throughWater(const ShipMotion& m, const WaveForces& waves) const;
+
     /// Forces of the water on hull, rudders, propellers and thrusters (counted with the propellers) alone, in
     /// the horizontal plane (other members 0). A model that has no force for something says what force would
     /// do the same.
@@ -48,6 +52,8 @@ public:
     /// mass and added mass times acceleration, less what comes of the turning of frame B.
     Load forceFor(const ShipMotion& m, const ShipMotion& rate, double depth_m = kDeepWater_m) const;
 
+    /// Whether the chosen model has roll of its own.
+    bool ownsRoll() const;
     /// Whether the sea moves her: a hull, and a model that feels it.
     bool feelsWaves() const { return m_sea.has_value(); }
 
@@ -65,7 +71,6 @@ private:
         double rollInertia, rollStiffness, rollDamping;
     };
     void takeToSea(const Vessel& vessel, std::shared_ptr<const SeaHull> hull);
-    bool ownsRoll() const;
     /// 1 where the chosen model holds, 0 where the other has taken over.
     double shareOf(const ShipMotion& m, const Actuators& actuators) const;
     PlanarAcceleration acceleration(const ShipMotion& m, const Actuators& actuators, const Load& load,
