@@ -6,6 +6,7 @@
 #include "app/tools/TrialResult.h"
 #include "core/base/Units.h"
 #include "core/identify/TrialShip.h"
+#include "core/seakeeping/SeaHulls.h"
 
 namespace sagara::tools {
 namespace {
@@ -24,8 +25,10 @@ std::string motionsOf(const core::Trial& trial) {
 int runDecayTool(const run::Store& store, const DecayOptions& o) {
     const auto vessel = openVessel(store, o.ship);
     if (!vessel) return run::tell(vessel.error()), run::kBadRequest;
-    const std::shared_ptr<core::SeaHulls> hulls = store.hulls();
-    core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m, hulls->of(vessel->hull));
+    core::TrialShip ship(*vessel, o.ship.model, o.ship.depth_m);
+    // Published roll of a model's own was published without a hull's tables.
+    if (o.dof != core::Decay::Dof::Roll || !ship.dynamics().ownsRoll())
+        ship = core::TrialShip(*vessel, o.ship.model, o.ship.depth_m, store.hulls()->of(vessel->hull));
     core::TrialOptions options;
     options.approach = ship.holding(o.speed_mps);
     options.duration_s = o.duration_s;
