@@ -4,21 +4,14 @@
 #include <cmath>
 
 #include "core/vessel/Estimate.h"
+#include "core/vessel/Metacentre.h"
 
 namespace sagara::core {
 namespace {
 
 constexpr const char* kSource =
     "the loaded ship brought to ballast draught: displacement by Normand, derivatives by Clarke, Gedling & "
-    "Hine "
-    "1983, resistance with the wetted surface of Denny & Mumford";
-
-/// KB by Morrish and BM by the waterplane, as in formOf.
-double metacentreHeight_m(const Hull& h) {
-    const double Cb = h.blockCoefficient(), Cwp = h.waterplaneCoefficient;
-    return h.draught_m * (5.0 / 6.0 - Cb / (3.0 * Cwp)) +
-           (0.1216 * Cwp - 0.0410) * h.beam_m * h.beam_m / (h.draught_m * Cb);
-}
+    "Hine 1983, resistance with the wetted surface of Denny & Mumford";
 
 Hull ballastHull(const Hull& loaded) {
     Hull h = loaded;
@@ -26,8 +19,8 @@ Hull ballastHull(const Hull& loaded) {
     h.displacement_m3 =
         loaded.displacement_m3 *
         std::pow(h.draught_m / loaded.draught_m, loaded.waterplaneCoefficient / loaded.blockCoefficient());
-    const double gravity_m = metacentreHeight_m(loaded) - loaded.metacentricHeight_m;
-    h.metacentricHeight_m = std::max(0.3, metacentreHeight_m(h) - gravity_m);
+    const double gravity_m = metacentre_m(loaded) - loaded.metacentricHeight_m;
+    h.metacentricHeight_m = std::max(0.3, metacentre_m(h) - gravity_m);
     h.stations.clear();
     h.provenance = {Quality::Estimated, kSource};
     return h;
@@ -71,6 +64,10 @@ std::optional<Vessel> inBallast(const Vessel& loaded) {
         auto* const mmg = std::get_if<MmgModel>(&named.parameters);
         if (!mmg) continue;
         bringTo(mmg->parameters, loaded.hull, v.hull);
+        for (AsternSideRow& row : mmg->astern) {  // the same thrust over less draught
+            row.Y *= loaded.hull.draught_m / v.hull.draught_m;
+            row.N *= loaded.hull.draught_m / v.hull.draught_m;
+        }
         named.provenance = {Quality::Estimated, kSource};
         v.models.push_back(std::move(named));
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/Units.h"
 #include "core/vessel/Estimate.h"
+#include "core/vessel/Metacentre.h"
 
 namespace sagara::core::estimate {
 
@@ -20,13 +21,12 @@ Form formOf(const Particulars& p, const ShipKind& kind) {
     constexpr double kDeckHeight_m = 2.7;
     f.houseHeight_m = kDeckHeight_m * std::clamp(1.0 + f.lengthOverall_m / 62.0, 1.0, 7.0);
 
-    const double KB_m = f.draught_m * (5.0 / 6.0 - f.block / (3.0 * f.waterplane));
-    const double BM_m = (0.1216 * f.waterplane - 0.0410) * f.beam_m * f.beam_m / (f.draught_m * f.block);
-    const double GM_m = KB_m + BM_m - kind.gravityOverDepth * f.depth_m;
+    const double KM_m = metacentre_m(f.beam_m, f.draught_m, f.block, f.waterplane);
+    const double GM_m = KM_m - kind.gravityOverDepth * f.depth_m;
     // Ships are loaded to sail between these; small craft are stiffer.
     const double most = std::clamp(0.20 - 0.07 * (f.length_m - 25.0) / 75.0, 0.13, 0.20);
     f.metacentric_m = std::clamp(GM_m, std::max(0.3, 0.03 * f.beam_m), std::max(0.5, most * f.beam_m));
-    f.gravityHeight_m = KB_m + BM_m - f.metacentric_m;
+    f.gravityHeight_m = KM_m - f.metacentric_m;
     const double C = std::clamp(0.373 + 0.023 * f.beam_m / f.draught_m - 0.043 * f.length_m / 100.0, 0.35,
                                 0.45);  // period = 2 C B / sqrt(GM)
     const double virtual_m = C * f.beam_m * std::sqrt(kGravity_mps2) / kPi;
@@ -34,8 +34,12 @@ Form formOf(const Particulars& p, const ShipKind& kind) {
     return f;
 }
 
+double buoyancyForward_m(const Form& f, double speed_mps) {
+    const double froude = speed_mps / std::sqrt(kGravity_mps2 * f.length_m);
+    return f.length_m * std::clamp(0.0970 - 0.45 * froude, -0.035, 0.035);
+}
+
 double frictionalResistance_N(const Form& form, double speed_mps) {
-    constexpr double kViscosity_m2ps = 1.19e-6;
     const double logRe = std::log10(std::max(1e5, speed_mps * form.length_m / kViscosity_m2ps));
     const double coefficient = 0.075 / ((logRe - 2.0) * (logRe - 2.0));
     const double wetted_m2 = 1.7 * form.length_m * form.draught_m + form.volume_m3 / form.draught_m;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/vessel/Metacentre.h"
+
 namespace sagara::core {
 namespace {
 
@@ -40,13 +42,6 @@ double alongStations(const std::vector<HullStation>& stations, double HullStatio
     for (std::size_t i = 1; i < stations.size(); ++i)
         sum += 0.5 * (stations[i].x_m - stations[i - 1].x_m) * (stations[i].*value + stations[i - 1].*value);
     return sum;
-}
-
-/// Highest metacentre above the keel: KB by Morrish and BM by the waterplane, as in estimate::formOf.
-double metacentre_m(const Hull& h) {
-    const double Cb = h.blockCoefficient(), Cwp = h.waterplaneCoefficient;
-    return h.draught_m * (5.0 / 6.0 - Cb / (3.0 * Cwp)) +
-           (0.1216 * Cwp - 0.0410) * h.beam_m * h.beam_m / (h.draught_m * Cb);
 }
 
 void checkForm(Checker& check, const Hull& h) {
