@@ -21,8 +21,8 @@ struct AnchorGoal {
 
 bool wholeSecond(SimTime time) { return time.us % 1'000'000 == 0; }
 
-/// Notes: A is the time (s) since when she has stayed about the noted place, B since when the anchor has not
-/// moved; both restart.
+/// Notes: A is the time (s) since when she has stayed about the noted place, which restarts, B since when the
+/// anchor has held, less what its jerks cost.
 class AnchorTask final : public Task {
 public:
     AnchorTask(std::string id, std::string title, const AnchorGoal& goal)
@@ -42,12 +42,12 @@ public:
         }
         // Dragging at this speed the anchor never holds; a jerk of the sea that shifts it by a hand's breadth
         // costs some seconds of the time it has held, not all of it.
-        constexpr double kMoved_mps = 0.02, kObserved_s = 0.2;
+        constexpr double kMoved_mps = 0.02;
         if (distance(now.position, memory.notedPlace) > m_goal.speed_mps * m_goal.still_s) {
             memory.noteA = time_s;
             memory.notedPlace = now.position;
         }
-        memory.noteB = std::min(time_s, memory.noteB + anchor->dragSpeed_mps / kMoved_mps * kObserved_s);
+        memory.noteB = std::min(time_s, memory.noteB + anchor->dragSpeed_mps / kMoved_mps * kObservedEvery_s);
         if (!wholeSecond(now.time) || now.momentarySpeed_mps > m_goal.speed_mps) return false;
         const double shackleSlack_m = 0.05 * kShackle_m;  // the mark on the cable is read to a twentieth
         return distance(anchor->position, m_goal.place) <= m_goal.within_m &&

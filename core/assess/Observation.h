@@ -19,7 +19,9 @@ struct AnchorObservation {
     double dragSpeed_mps = 0.0;
 };
 
-/// What is graded: one own ship at one moment, five times a second. Also what a recording keeps of her, so
+inline constexpr double kObservedEvery_s = 0.2;
+
+/// What is graded: one own ship at one moment, every kObservedEvery_s. Also what a recording keeps of her, so
 /// that an old run can be graded again.
 struct Observation {
     SimTime time;

@@ -12,7 +12,7 @@
 namespace sagara::core {
 namespace {
 
-constexpr std::int64_t kGradeEvery_ticks = 10;                      // five times a second
+constexpr auto kGradeEvery_ticks = static_cast<std::int64_t>(kObservedEvery_s / kTick_s + 0.5);
 constexpr std::int64_t kAfterFailure_ticks = 10 * kTicksPerSecond;  // what follows a failure is still graded
 
 void fireDueEvents(const World& world, State& state, std::vector<Event>& events) {
@@ -48,7 +48,7 @@ Event eventOf(const State& state, const AssessmentEvent& a) {
     return e;
 }
 
-/// Grades what has happened in this tick and, every fifth of a second, what is.
+/// Grades what has happened in this tick and, every kObservedEvery_s, what is.
 void grade(const World& world, State& state, std::vector<Event>& events) {
     if (state.assessment.closed || world.mission.tasks.empty()) return;
     std::vector<AssessmentEvent> found;
