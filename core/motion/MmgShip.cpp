@@ -2,14 +2,15 @@
 
 #include <cmath>
 
+#include "core/motion/AsternSideForce.h"
 #include "core/motion/MmgShallow.h"
 #include "core/vessel/Metacentre.h"
 
 namespace sagara::core {
-namespace {}  // namespace
 
 MmgShip::MmgShip(const MmgModel& model, const Vessel& vessel)
     : m_deep(model.parameters),
+      m_astern(model.astern),
       m_hull(vessel.hull),
       m_screws(propellersOf(vessel.propulsion)),
       m_steering(vessel.steering),
@@ -34,9 +35,12 @@ MmgShip::Screws MmgShip::screws(const MmgParameters& p, const ShipMotion& m, con
                                 const MmgFlow& flow) const {
     Screws all;
     for (std::size_t i = 0; i < m_screws.size(); ++i)
-        all[i] =
-            mmgPropeller(p, m_hull, m_screws[i], {a.shaft_rps[i], a.pitch[i], a.azimuth_rad[i]}, m, flow);
+        all[i] = mmgPropeller(p, m_hull, m_screws[i], orderOf(i, a), m, flow);
     return all;
+}
+
+ScrewOrder MmgShip::orderOf(std::size_t screw, const Actuators& a) {
+    return {a.shaft_rps[screw], a.pitch[screw], a.azimuth_rad[screw]};
 }
 
 MmgRudderForce MmgShip::rudder(std::size_t i, const MmgParameters& p, const Screws& screws,
@@ -61,6 +65,9 @@ HullForces MmgShip::forces(const MmgParameters& p, const ShipMotion& m, const Ac
     HullForces f;
     f.hull = mmgHullForce(p, m_hull, m, flow);
     for (const MmgPropeller& screw : running) f.propeller = f.propeller + screw.load;
+    for (std::size_t i = 0; i < m_screws.size(); ++i)
+        f.propeller = f.propeller + asternSideForce(m_astern, m_hull, m_screws[i].unit(),
+                                                    orderOf(i, actuators), m.surge_mps);
     for (std::size_t i = 0; i < m_before.size(); ++i)
         f.rudder = f.rudder + rudder(i, p, running, m, actuators, flow).load;
     return f;

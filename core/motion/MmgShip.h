@@ -41,12 +41,14 @@ private:
     using Screws = std::array<MmgPropeller, kMostShafts>;
 
     Screws screws(const MmgParameters& p, const ShipMotion& m, const Actuators& a, const MmgFlow& flow) const;
+    static ScrewOrder orderOf(std::size_t screw, const Actuators& a);
     MmgRudderForce rudder(std::size_t i, const MmgParameters& p, const Screws& screws, const ShipMotion& m,
                           const Actuators& a, const MmgFlow& flow) const;
     HullForces forces(const MmgParameters& p, const ShipMotion& m, const Actuators& actuators) const;
     Load inertia(const MmgInertia& k, const ShipMotion& m, const ShipMotion& rate) const;
 
     MmgParameters m_deep;
+    std::vector<AsternSideRow> m_astern;
     Hull m_hull;
     std::vector<Propeller> m_screws;
     Steering m_steering;

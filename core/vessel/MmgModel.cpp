@@ -83,6 +83,23 @@ MmgRudder readRudder(const config::Node& node, Provenance& source) {
     return r;
 }
 
+std::vector<AsternSideRow> readAstern(const config::Node& node, std::optional<Provenance>& source) {
+    config::Reader in(node);
+    std::vector<AsternSideRow> rows;
+    for (const config::Node& each : in.list("rows")) {
+        const std::vector<double> v = each.numbers(3, {-10.0, 10.0, ""});
+        if (v.empty()) continue;
+        if (!rows.empty() && v[0] <= rows.back().J)
+            each.problem("has J " + config::formatNumber(v[0]),
+                         "more than the row before, " + config::formatNumber(rows.back().J));
+        rows.push_back({v[0], v[1], v[2]});
+    }
+    if (rows.empty() && in.sound()) in.problem("rows", "is empty", "at least one row [J, Y, N]");
+    source = readProvenance(in);
+    in.rejectUnknownKeys();
+    return rows;
+}
+
 }  // namespace
 
 MmgModel readMmg(config::Reader& in) {
@@ -93,6 +110,7 @@ MmgModel readMmg(config::Reader& in) {
     p.range = readRange(in.child("range"), m.sources.range);
     p.wake = readWake(in.child("wake"), m.sources.wake);
     p.rudder = readRudder(in.child("rudder"), m.sources.rudder);
+    if (in.has("astern")) m.astern = readAstern(in.child("astern"), m.sources.astern);
     return m;
 }
 

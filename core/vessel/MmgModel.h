@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "core/vessel/Provenance.h"
 
 /// Parameters of the MMG standard method, Yasukawa and Yoshimura (2015), J. Marine Science and Technology 20,
@@ -63,6 +66,13 @@ struct MmgRudder {
     double kappa = 0.5;    ///< of the race's added velocity, what has built up at the rudder
 };
 
+/// What the wash of a single screw that drives astern does to the side of the stern, at one advance ratio:
+/// J = u / (n D), negative with headway. Y over 1/2 rho L d (n D)^2, N over 1/2 rho L^2 d (n D)^2, as Hachii
+/// measured them on Esso Osaka.
+struct AsternSideRow {
+    double J, Y, N;
+};
+
 /// All numbers together; cheap to copy.
 struct MmgParameters {
     MmgInertia inertia;
@@ -74,9 +84,11 @@ struct MmgParameters {
 
 struct MmgModel {
     MmgParameters parameters;
+    std::vector<AsternSideRow> astern;  ///< J rising, or none; beyond the ends as there
     /// Where each group comes from and how well it is known.
     struct Sources {
         Provenance inertia, hull, range, wake, rudder;
+        std::optional<Provenance> astern;
     } sources;
 };
 MmgModel readMmg(config::Reader& in);
