@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/vessel/Holtrop.h"
 #include "core/vessel/MmgModel.h"
 #include "core/vessel/Particulars.h"
 #include "core/vessel/WageningenB.h"
@@ -27,20 +28,29 @@ struct Form {
 Form formOf(const Particulars& p, const ShipKind& kind);
 
 /// Propeller, resistance and shaft speed that belong together: a B4 propeller of the best pitch takes 85 % of
-/// the power at the service speed and balances the resistance.
+/// the power at the service speed and balances the resistance: that which the power tells, or that of Holtrop
+/// and Mennen where no power is given.
 struct Drive {
     double diameter_m, wake, deduction;
     BScrew screw;
     double shaft_rps, advance;  ///< J at the service speed
     double thrustEach_N;
     double resistance_N;
+    double power_W;                            ///< of all engines, maximum continuous
+    bool powerKnown;                           ///< and not worked out of the resistance
     std::array<double, 3> thrustCoefficients;  ///< parabola through KT at 0, J and 1.4 J
     double addedRace() const;                  ///< 2 T / (rho disc) over the square of the ship's speed
     double speed_mps;
 };
 Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form);
+/// The hull for a resistance by `holtropResistance`: midship section by Kerlen (1970), usual bulb and
+/// appendages.
+HoltropHull holtropHullOf(const Particulars& p, const ShipKind& kind, const Form& form);
+/// Centre of buoyancy forward of midship, usual for the Froude number: Guldhammer and Harvald (1974).
+double buoyancyForward_m(const Form& form, double speed_mps);
 /// ITTC 1957 line over the wetted surface of Denny and Mumford.
 double frictionalResistance_N(const Form& form, double speed_mps);
+inline constexpr double kViscosity_m2ps = 1.19e-6;
 
 /// Height over chord of an estimated rudder.
 inline constexpr double kRudderAspect = 1.8;
@@ -72,5 +82,8 @@ MmgHull kijimaNonlinear(double length_m, double beam_m, double draught_m, double
 /// The whole MMG model: linear derivatives of Clarke et al., the rest of Kijima et al.; X of Yoshimura and
 /// Masumoto (2012); rudder of these, Kijima and Quadvlieg (2013).
 MmgParameters mmgOf(const Form& form, const Drive& drive, const Rudders& rudders);
+/// Side force of a single screw astern: that of the 3 m Esso Osaka (Hachii, in Miyauchi et al. 2022) for the
+/// same thrust.
+std::vector<AsternSideRow> asternOf(const Form& form, const Drive& drive);
 
 }  // namespace sagara::core::estimate

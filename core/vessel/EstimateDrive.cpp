@@ -30,7 +30,7 @@ double areaRatioFor(double thrust_N, double diameter_m, double draught_m, int sh
 }
 
 /// The propeller of best efficiency for a resistance; the power it takes is told.
-double power_W(Drive& d, const Particulars& p, const Form& form) {
+double propellerPower_W(Drive& d, const Particulars& p, const Form& form) {
     const double inflow_mps = (1.0 - d.wake) * p.speed_mps;
     d.thrustEach_N = d.resistance_N / ((1.0 - d.deduction) * p.shafts);
     const double loading =
@@ -66,9 +66,30 @@ double Drive::addedRace() const {
     return 2.0 * thrustEach_N / (kWater_kgpm3 * disc_m2 * speed_mps * speed_mps);
 }
 
+HoltropHull holtropHullOf(const Particulars& p, const ShipKind& kind, const Form& f) {
+    HoltropHull h{};
+    h.length_m = std::clamp(1.02 * f.length_m, f.length_m, f.lengthOverall_m);
+    h.beam_m = f.beam_m;
+    h.draught_m = f.draught_m;
+    h.volume_m3 = f.volume_m3;
+    h.waterplane = f.waterplane;
+    h.midship = 1.006 - 0.0056 * std::pow(std::max(f.block, 0.45), -3.56);  // Kerlen (1970)
+    h.buoyancy_pct = 100.0 * buoyancyForward_m(f, p.speed_mps) / f.length_m;
+    constexpr double kBulbFrom_m = 90.0;
+    if (kind.bulb && f.length_m >= kBulbFrom_m) {
+        h.bulb_m2 = 0.07 * f.beam_m * f.draught_m;
+        h.bulbHeight_m = 0.4 * f.draught_m;
+    }
+    // Rudders, and with several screws their brackets and shafts, as shares of the wetted surface.
+    h.appendages_m2 = (p.shafts == 1 ? 0.015 : 0.04) * f.length_m * (2.0 * f.draught_m + f.beam_m) * f.block;
+    h.appendageForm = p.shafts == 1 ? 1.5 : 2.5;
+    return h;
+}
+
 Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form) {
     Drive d{};
     d.speed_mps = p.speed_mps;
+    d.powerKnown = p.power_W.has_value();
     const bool single = p.shafts == 1;
     // Kristensen and Luetzen (2013); twin screws are a little smaller.
     const double usual_m = kind.fullForm ? 0.395 * form.draught_m + 1.30 : 0.623 * form.draught_m - 0.16;
@@ -77,11 +98,19 @@ Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form) {
     // Taylor (1933); Schoenherr.
     d.wake = std::clamp(single ? 0.5 * form.block - 0.05 : 0.55 * form.block - 0.20, 0.02, 0.45);
     d.deduction = single ? 0.6 * d.wake : 0.25 * d.wake + 0.10;
-    const double delivered_W = kServiceLoad * kShaftEfficiency * p.power_W;
-    double low_N = 1.0, high_N = delivered_W / p.speed_mps * 1.5;
-    for (int i = 0; i < 50; ++i) {
-        d.resistance_N = 0.5 * (low_N + high_N);
-        (power_W(d, p, form) < delivered_W ? low_N : high_N) = d.resistance_N;
+    if (p.power_W) {
+        const double delivered_W = kServiceLoad * kShaftEfficiency * *p.power_W;
+        double low_N = 1.0, high_N = delivered_W / p.speed_mps * 1.5;
+        for (int i = 0; i < 50; ++i) {
+            d.resistance_N = 0.5 * (low_N + high_N);
+            (propellerPower_W(d, p, form) < delivered_W ? low_N : high_N) = d.resistance_N;
+        }
+        d.power_W = *p.power_W;
+    } else {
+        d.resistance_N =
+            holtropResistance(holtropHullOf(p, kind, form), p.speed_mps, kWater_kgpm3, kViscosity_m2ps)
+                .total_N();
+        d.power_W = propellerPower_W(d, p, form) / (kServiceLoad * kShaftEfficiency);
     }
     d.thrustCoefficients = parabola(d.screw, d.advance);
     return d;

@@ -9,9 +9,8 @@ namespace {
 
 MmgInertia inertiaOf(const Form& f, const Drive& drive, const Derivatives& d) {
     const double L = f.length_m, scale_kg = 0.5 * kWater_kgpm3 * L * L * f.draught_m;
-    const double froude = drive.speed_mps / std::sqrt(kGravity_mps2 * L);
     MmgInertia i;
-    i.xG_m = L * std::clamp(0.0970 - 0.45 * froude, -0.035, 0.035);
+    i.xG_m = buoyancyForward_m(f, drive.speed_mps);
     i.yawGyradius_m = 0.25 * L;
     i.mx = -d.Xudot / scale_kg;
     const double m = f.mass_kg() / scale_kg, B = f.beam_m, T = f.draught_m, Cb = f.block;
@@ -82,6 +81,16 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     r.epsilon = std::clamp(0.90 + 3.4 * (full - 0.091), 0.85, 1.15);
     r.kappa = 0.6 / r.epsilon;
     return p;
+}
+
+std::vector<AsternSideRow> asternOf(const Form& f, const Drive& drive) {
+    constexpr double kLength_m = 3.0, kDraught_m = 0.20114, kDiameter_m = 0.084;  // of the model
+    const double scale = drive.diameter_m * drive.diameter_m / (f.length_m * f.draught_m) * kLength_m *
+                         kDraught_m / (kDiameter_m * kDiameter_m);
+    // A1 + A2 J to J = -0.35, A3 + A4 J astern of it until it ends, A5 from J = -0.06; so B for the moment.
+    return {{-0.84, 0.0, 0.0},
+            {-0.35, -2.876e-3 * scale, 1.1445e-3 * scale},
+            {-0.06, -5.58e-4 * scale, 2.25e-4 * scale}};
 }
 
 }  // namespace sagara::core::estimate

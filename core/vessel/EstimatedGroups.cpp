@@ -74,7 +74,8 @@ Json propulsionGroup(const Particulars& p, const Form& f, const Drive& d,
                   "Wageningen B4 propeller, AE/A0 " + percent(d.screw.areaRatio) + " by Keller, P/D " +
                       percent(d.screw.pitchRatio) +
                       " of best efficiency (Oosterveld & van Oossanen 1975), taking 85 % of " +
-                      config::formatNumber(std::round(1e-3 * p.power_W)) + " kW at " +
+                      config::formatNumber(std::round(1e-3 * d.power_W)) + " kW" +
+                      (d.powerKnown ? "" : " (no power known: that for the resistance)") + " at " +
                       percent(p.speed_mps / kKnot_mps) +
                       " kn; wake Taylor 1933, thrust deduction Schoenherr; diameter " +
                       (p.propellerDiameter_m ? "as entered" : "Kristensen & Luetzen 2013") +
@@ -154,7 +155,7 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
                              {"y_m", 0.0},
                              {"height_m", neat(std::clamp(f.freeboard_m + f.houseHeight_m, 1.5, 60.0))}};
     document["hull"] = hullGroup(f);
-    document["model"] = modelGroup(f, drive, rudders);
+    document["model"] = modelGroup(f, drive, rudders, p.shafts);
     const double froude = drive.speed_mps / std::sqrt(kGravity_mps2 * f.length_m);
     document["seakeeping"] = marked({{"heaveAddedMassRatio", 1.0},
                                      {"heaveDampingRatio", 0.3},

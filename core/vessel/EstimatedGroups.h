@@ -10,7 +10,7 @@ namespace sagara::core::estimate {
 nlohmann::ordered_json documentOf(const Particulars& p, const ShipKind& kind, const Form& form,
                                   const Drive& drive);
 
-nlohmann::ordered_json modelGroup(const Form& form, const Drive& drive, const Rudders& rudders);
+nlohmann::ordered_json modelGroup(const Form& form, const Drive& drive, const Rudders& rudders, int shafts);
 nlohmann::ordered_json mooringGroup(const Form& form, double equipmentNumber);
 nlohmann::ordered_json groundTackleGroup(const Form& form, double equipmentNumber);
 

@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json marked(Json group, const char* source) {
+Json marked(Json group, const std::string& source) {
     group["source"] = source;
     group["quality"] = "estimated";
     return group;
@@ -25,7 +25,7 @@ Json inertiaGroup(const MmgInertia& i) {
         "1974); added masses: Soeding 1982 in surge, Zhou, Sheng & Wu 1983 after Motora in sway and yaw");
 }
 
-Json hullGroup(const MmgHull& h) {
+Json hullGroup(const MmgHull& h, bool powerKnown) {
     return marked(
         {{"R0", neat(h.R0)},
          {"Xvv", neat(h.Xvv)},
@@ -46,8 +46,11 @@ Json hullGroup(const MmgHull& h) {
          {"Nvrr", neat(h.Nvrr)}},
         "linear derivatives: Clarke, Gedling & Hine 1983; higher ones: Kijima, Katsuno, Nakiri & Furukawa "
         "1990, but Nrrr and X of Yoshimura & Masumoto 2012; "
-        "resistance: what the propeller overcomes at the service speed "
-        "with 85 % of the power; good to 20 to 30 % in turning");
+        "resistance: " +
+            std::string(powerKnown
+                            ? "what the propeller overcomes at the service speed with 85 % of the power"
+                            : "Holtrop & Mennen 1982 and Holtrop 1984 at the service speed") +
+            "; good to 20 to 30 % in turning");
 }
 
 Json rangeGroup(const MmgRange& r) {
@@ -82,18 +85,28 @@ Json rudderGroup(const MmgRudder& r) {
         "and KCS");
 }
 
+Json asternGroup(const std::vector<AsternSideRow>& rows) {
+    Json table = Json::array();
+    for (const AsternSideRow& row : rows) table.push_back({neat(row.J), neat(row.Y), neat(row.N)});
+    return marked(
+        {{"rows", std::move(table)}},
+        "side force of a right-handed screw astern as of Esso Osaka for the same thrust (3 m model, "
+        "Hachii in Miyauchi et al. 2022)");
+}
+
 }  // namespace
 
-Json modelGroup(const Form& f, const Drive& drive, const Rudders& rudders) {
+Json modelGroup(const Form& f, const Drive& drive, const Rudders& rudders, int shafts) {
     const MmgParameters p = mmgOf(f, drive, rudders);
     Json model = marked({{"kind", "mmg"}},
                         "MMG standard method (Yasukawa & Yoshimura 2015) with every group from published "
                         "regressions on the main particulars");
     model["inertia"] = inertiaGroup(p.inertia);
-    model["hull"] = hullGroup(p.hull);
+    model["hull"] = hullGroup(p.hull, drive.powerKnown);
     model["range"] = rangeGroup(p.range);
     model["wake"] = wakeGroup(p.wake);
     model["rudder"] = rudderGroup(p.rudder);
+    if (shafts == 1) model["astern"] = asternGroup(asternOf(f, drive));
     return model;
 }
 

@@ -46,7 +46,7 @@ void checkSizes(const Particulars& p, config::Problems& problems) {
     check.number("beam_m", p.beam_m, 2.0, 75.0, "m");
     check.number("draught_m", p.draught_m, 0.5, 26.0, "m");
     check.number("speed_mps", p.speed_mps, 2.0, 25.0, "m/s");
-    check.number("power_W", p.power_W, 2e4, 1.2e8, "W");
+    if (p.power_W) check.number("power_W", *p.power_W, 2e4, 1.2e8, "W");
     check.number("shafts", p.shafts, 1, 4, "");
     check.number("rudders", p.rudders, 1, 4, "");
     if (!problems.empty()) return;
@@ -86,9 +86,9 @@ void checkPower(const Particulars& p, const estimate::Form& form, const estimate
                 config::Problems& problems) {
     const double friction_N = estimate::frictionalResistance_N(form, p.speed_mps);
     const double weight_N = form.mass_kg() * kGravity_mps2;
-    const double perResistance = p.power_W / drive.resistance_N;
+    const double perResistance = drive.power_W / drive.resistance_N;
     const auto say = [&](const std::string& expected) {
-        problems.add({"power_W", "is " + config::formatNumber(p.power_W), expected});
+        problems.add({"power_W", "is " + config::formatNumber(*p.power_W), expected});
     };
     const auto kilowatts = [](double W) { return config::formatNumber(std::round(1e-3 * W)) + " kW"; };
     if (drive.resistance_N < 0.95 * friction_N)
@@ -113,8 +113,15 @@ Result<std::string, config::Problems> vesselFromParticulars(const Particulars& p
     if (!problems.empty()) return problems;
     const ShipKind& kind = *findShipKind(p.kind);
     const estimate::Form form = estimate::formOf(p, kind);
+    if (!p.power_W && !holtropHolds(estimate::holtropHullOf(p, kind, form), p.speed_mps))
+        problems.add(
+            {"power_W", "is not given",
+             "the engine power: this ship is outside the ships whose resistance the regression knows "
+             "(length 3.9 to 15 beams, beam 2.1 to 4 draughts, prismatic coefficient 0.55 to 0.85, "
+             "Froude number to 0.45)"});
+    if (!problems.empty()) return problems;
     const estimate::Drive drive = estimate::driveOf(p, kind, form);
-    checkPower(p, form, drive, problems);
+    if (p.power_W) checkPower(p, form, drive, problems);
     if (!problems.empty()) return problems;
     const std::string text = estimate::documentOf(p, kind, form, drive).dump(2) + "\n";
     const auto loaded = loadVessel(p.id, text);

@@ -21,23 +21,24 @@ struct ShipKind {
     double leastWaterplane;   ///< waterplane coefficient of transom forms
     double rudderShare;       ///< of length by draught, where usual ships have more than the DNV rule
     bool fullForm;            ///< propeller diameter as of tankers and bulk carriers
+    bool bulb;                ///< at 90 m and more
 };
 inline constexpr std::array<ShipKind, 15> kShipKinds{{
-    {"tanker", "tanker loaded", 0.76, -0.37, 0.12, 0.56, 0.0, 0.0, true},
-    {"bulk carrier", "cargo vessel loaded", 0.72, -0.38, 0.12, 0.58, 0.0, 0.0, true},
-    {"general cargo", "cargo vessel loaded", 0.72, -0.36, 0.18, 0.60, 0.0, 0.02, false},
-    {"container ship", "container ship loaded", 0.60, -0.22, 0.75, 0.62, 0.70, 0.0, false},
-    {"gas carrier", "LNG tanker", 0.48, -0.36, 0.50, 0.58, 0.0, 0.0, false},
-    {"car carrier", "car carrier", 0.32, 0.40, 0.85, 0.55, 0.72, 0.018, false},
-    {"ferry", "ferry", 0.42, 0.36, 0.75, 0.62, 0.74, 0.021, false},
-    {"passenger ship", "passenger liner", 0.38, 0.36, 0.80, 0.62, 0.74, 0.018, false},
-    {"fishing vessel", "fishing vessel", 0.72, 0.06, 0.40, 0.70, 0.76, 0.032, false},
-    {"offshore supply vessel", "offshore supply vessel", 0.75, 0.28, 0.32, 0.66, 0.80, 0.025, false},
-    {"tug", "tender", 0.72, 0.12, 0.50, 0.66, 0.80, 0.04, false},
-    {"patrol vessel", "destroyer", 0.45, 0.15, 0.55, 0.65, 0.74, 0.027, false},
-    {"fast craft", "speed boat", 0.42, 0.05, 0.60, 0.62, 0.76, 0.035, false},
-    {"yacht", "speed boat", 0.52, 0.05, 0.60, 0.60, 0.74, 0.032, false},
-    {"research vessel", "research vessel", 0.65, 0.16, 0.50, 0.64, 0.72, 0.022, false},
+    {"tanker", "tanker loaded", 0.76, -0.37, 0.12, 0.56, 0.0, 0.0, true, true},
+    {"bulk carrier", "cargo vessel loaded", 0.72, -0.38, 0.12, 0.58, 0.0, 0.0, true, true},
+    {"general cargo", "cargo vessel loaded", 0.72, -0.36, 0.18, 0.60, 0.0, 0.02, false, true},
+    {"container ship", "container ship loaded", 0.60, -0.22, 0.75, 0.62, 0.70, 0.0, false, true},
+    {"gas carrier", "LNG tanker", 0.48, -0.36, 0.50, 0.58, 0.0, 0.0, false, true},
+    {"car carrier", "car carrier", 0.32, 0.40, 0.85, 0.55, 0.72, 0.018, false, true},
+    {"ferry", "ferry", 0.42, 0.36, 0.75, 0.62, 0.74, 0.021, false, true},
+    {"passenger ship", "passenger liner", 0.38, 0.36, 0.80, 0.62, 0.74, 0.018, false, true},
+    {"fishing vessel", "fishing vessel", 0.72, 0.06, 0.40, 0.70, 0.76, 0.032, false, false},
+    {"offshore supply vessel", "offshore supply vessel", 0.75, 0.28, 0.32, 0.66, 0.80, 0.025, false, false},
+    {"tug", "tender", 0.72, 0.12, 0.50, 0.66, 0.80, 0.04, false, false},
+    {"patrol vessel", "destroyer", 0.45, 0.15, 0.55, 0.65, 0.74, 0.027, false, false},
+    {"fast craft", "speed boat", 0.42, 0.05, 0.60, 0.62, 0.76, 0.035, false, false},
+    {"yacht", "speed boat", 0.52, 0.05, 0.60, 0.60, 0.74, 0.032, false, false},
+    {"research vessel", "research vessel", 0.65, 0.16, 0.50, 0.64, 0.72, 0.022, false, false},
 }};
 /// The kind of that name, or null.
 const ShipKind* findShipKind(std::string_view name);
@@ -53,8 +54,8 @@ struct Particulars {
     double draught_m = 0.0;
     std::optional<double> displacement_m3;  ///< one of these two
     std::optional<double> blockCoefficient;
-    double speed_mps = 0.0;  ///< service speed, made at 85 % of the power
-    double power_W = 0.0;    ///< of all engines, maximum continuous
+    double speed_mps = 0.0;         ///< service speed, made at 85 % of the power
+    std::optional<double> power_W;  ///< of all engines, maximum continuous; none: what her resistance takes
     int shafts = 1;
     int rudders = 1;
     std::optional<double> propellerDiameter_m;

@@ -85,8 +85,11 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
                      tr("Volume over Lpp by beam by draught"));
     m_speed = number(right, "speed_mps", tr("Service speed"), 4, 48, 12.5, 1, tr("kn"),
                      tr("Knots, at 85 % of the engine power"));
-    m_power = number(right, "power_W", tr("Engine power"), 20, 120000, 2200, 0, tr("kW"),
-                     tr("Of all engines together, kilowatts, maximum continuous"));
+    m_power =
+        number(right, "power_W", tr("Engine power"), 0, 120000, 2200, 0, tr("kW"),
+               tr("Of all engines together, kilowatts, maximum continuous; 0: not known, estimated from "
+                  "the resistance"));
+    m_power->setSpecialValueText(tr("not known"));
     m_shafts->setRange(1, 4);
     m_shafts->setObjectName(QStringLiteral("shafts"));
     m_shafts->setToolTip(tr("Propeller shafts"));
@@ -202,7 +205,7 @@ core::Particulars NewVesselDialog::particulars() const {
     else
         p.blockCoefficient = m_block->value();
     p.speed_mps = m_speed->value() * core::kKnot_mps;
-    p.power_W = 1000.0 * m_power->value();
+    if (m_power->value() > 0.0) p.power_W = 1000.0 * m_power->value();
     p.shafts = m_shafts->value();
     p.rudders = m_rudders->value();
     if (m_thruster->value() > 0.0) p.bowThruster_W = 1e3 * m_thruster->value();

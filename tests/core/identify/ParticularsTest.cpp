@@ -239,6 +239,25 @@ TEST(EstimatedVessel, MarksEveryGroupEstimatedWithItsSource) {
     EXPECT_NEAR(v.hull.metacentricHeight_m, 5.71, 0.35 * 5.71);       // SIMMAN 2008
 }
 
+TEST(EstimatedVessel, WithoutAPowerHasTheResistanceOfHoltropAndMennenAndWhatItTakes) {
+    for (Particulars p : {kvlcc2(), essoOsaka()}) {
+        p.power_W.reset();
+        const estimate::Form form = estimate::formOf(p, *findShipKind(p.kind));
+        const estimate::Drive drive = estimate::driveOf(p, *findShipKind(p.kind), form);
+        EXPECT_NEAR(drive.power_W, 26e6, 0.25 * 26e6) << p.id;  // tankers of their size and speed
+        const Vessel vessel = estimated(p);
+        TrialShip ship(vessel);
+        EXPECT_NEAR(ship.fullAhead().speed_mps / p.speed_mps, 1.0, 0.02) << p.id;
+        EXPECT_NE(vessel.propulsion.provenance.source.find("no power known"), std::string::npos);
+    }
+    Particulars boat = patrol51();
+    boat.speed_mps = 15.0;
+    boat.power_W.reset();
+    const auto refused = vesselFromParticulars(boat);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().list()[0].path, "power_W");
+}
+
 TEST(EstimatedVessel, RefusesWhatNoShipIsAndSaysWhatIsAccepted) {
     Particulars p = kvlcc2();
     p.id = "Not An Id";
