@@ -34,10 +34,10 @@ TEST_F(Identify, RunsOfAShipGiveAFittedDocumentThatRuns) {
     EXPECT_EQ(linesOf(read("c.csv")).front(), "name,before,after,deviation,prior,told");
     EXPECT_EQ(linesOf(read("c.csv")).size(), 9u);
     const nlohmann::json fitted = nlohmann::json::parse(read("fitted.json"));
-    EXPECT_EQ(fitted["model"]["rudder"]["quality"], "fitted");
-    EXPECT_EQ(fitted["model"]["hull"]["quality"], "published");
+    EXPECT_EQ(fitted["models"][0]["rudder"]["quality"], "fitted");
+    EXPECT_EQ(fitted["models"][0]["hull"]["quality"], "published");
     // Her own runs leave her what she was.
-    EXPECT_NEAR(fitted["model"]["rudder"]["kappa"].get<double>(), 0.5, 0.01);
+    EXPECT_NEAR(fitted["models"][0]["rudder"]["kappa"].get<double>(), 0.5, 0.01);
     simDone({"manoeuvre", "--vessel", at("fitted.json"), "--test", "zigzag", "--duration-s", "100"});
 }
 

@@ -37,7 +37,7 @@ TEST(TrialTripOfABadDocument, SaysWhichSpeedIsOutOfReach) {
 }
 
 TEST(TrialTripOfABadDocument, ComparesResistanceWithFrictionAndWeight) {
-    EXPECT_EQ(problemsOf("kvlcc2", {{"/model/hull/R0", 0.001}}),
+    EXPECT_EQ(problemsOf("kvlcc2", {{"/models/0/hull/R0", 0.001}}),
               "kvlcc2.json: model gives a resistance of 1110 kN at 35.1 kn, expected 2800 kN, half the "
               "friction of the hull, to 1410000 kN, 0.45 of her weight");
     EXPECT_EQ(
