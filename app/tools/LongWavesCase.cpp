@@ -38,7 +38,7 @@ ValidationOutcome runLongWavesCase(const ValidationContext& context, core::confi
         add("heave, head waves", sizeIn(*form, heave_radps, core::kPi, 2));
         add("pitch, head waves", sizeIn(*form, heave_radps, core::kPi, 4));
         add("heave, beam waves", sizeIn(*form, heave_radps, 0.5 * core::kPi, 2));
-        if (const core::RollMode roll = core::rollMode(*form, 0.01); roll.omega_radps > 0.0)
+        if (const core::RollMode roll = core::FreeRoll(*form).at(0.01); roll.omega_radps > 0.0)
             add("roll, beam waves", sizeIn(*form, roll.omega_radps, 0.5 * core::kPi, 3));
     }
     return outcome;

@@ -26,12 +26,13 @@ ValidationOutcome runRollCase(const ValidationContext& context, core::config::Re
     plot.xTitle = "amplitude of the swing, deg";
     plot.yTitle = "damping over critical, %";
     plot.series = {{"Sagara", false, {}}, {"measured, to both sides", true, {}}, {"each swing", true, {}}};
+    const core::FreeRoll roll(*form);
     RelativeErrors damping;
     for (std::size_t row = 0; row + 1 < table->rows(); ++row) {
         const double roll_deg = 0.5 * (table->at("roll_abs", row) + table->at("roll_abs", row + 1));
         const double measured = 0.5 * (table->at("zeta_smooth", row) + table->at("zeta_smooth", row + 1));
         if (!std::isfinite(measured)) continue;
-        const core::RollMode mode = core::rollMode(*form, roll_deg * core::kDegree_rad);
+        const core::RollMode mode = roll.at(roll_deg * core::kDegree_rad);
         damping.add(mode.dampingRatio, measured);
         plot.series[0].at.emplace_back(roll_deg, 100.0 * mode.dampingRatio);
         plot.series[1].at.emplace_back(roll_deg, 100.0 * measured);
@@ -40,7 +41,7 @@ ValidationOutcome runRollCase(const ValidationContext& context, core::config::Re
     const double first_rad = table->at("roll_abs", 0) * core::kDegree_rad;
     ValidationRow period;
     period.quantity = "natural roll period, s";
-    period.measured = core::kTwoPi / core::rollMode(*form, first_rad).omega_radps;
+    period.measured = core::kTwoPi / roll.at(first_rad).omega_radps;
     period.reference = period_s;
     period.tolerance = periodShare;
     period.share = true;

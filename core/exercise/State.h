@@ -13,7 +13,7 @@ namespace sagara::core {
 
 /// Layout of the archived State. Grows with every change of its fields: an older recording is then replayed
 /// from its kinematic track.
-inline constexpr std::uint32_t kStateVersion = 4;
+inline constexpr std::uint32_t kStateVersion = 5;
 
 /// Everything about an exercise that changes. A value: copy it to look ahead, to go back, to try something
 /// else.

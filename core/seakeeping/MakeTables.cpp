@@ -6,6 +6,7 @@
 #include "core/base/Archive.h"
 #include "core/base/Units.h"
 #include "core/seakeeping/Hydrostatics.h"
+#include "core/seakeeping/LateralRadiation.h"
 #include "core/seakeeping/MeanWaveForce.h"
 #include "core/seakeeping/Response.h"
 #include "core/seakeeping/StripTheory.h"
@@ -49,8 +50,8 @@ std::vector<double> speedsOf(const HullForm& form, const TableOptions& options) 
     return speeds;
 }
 
-void fillWaves(const StripHull& hull, const std::vector<HullFlow>& flows, bool transomTerms,
-               SeakeepingTables& t) {
+void fillWaves(const StripHull& hull, const LateralRadiation& lateral, const std::vector<HullFlow>& flows,
+               bool transomTerms, SeakeepingTables& t) {
     for (const double heading : t.headings_rad)
         for (const double omega : t.waveOmega_radps)
             t.froudeKrylov.push_back(froudeKrylovForce(hull, {omega, heading, 0.0}));
@@ -66,7 +67,7 @@ void fillWaves(const StripHull& hull, const std::vector<HullFlow>& flows, bool t
                     force.set(i, wave.encounter_radps() < 0.0 ? std::conj(sum) : sum);
                 }
                 const MotionEquation equation{
-                    t.mass, radiationAt(radiationOf(hull, flow), flow.omega_radps, speed, transomTerms),
+                    t.mass, radiationAt(lateral.of(hull, flow), flow.omega_radps, speed, transomTerms),
                     t.restoring, 0.0};
                 t.meanForce.push_back(
                     meanWaveForce(hull, flow, wave, solved(equation, flow.omega_radps, force)));
@@ -148,18 +149,19 @@ SeakeepingTables makeTables(const HullForm& form, const TableOptions& options) {
     t.restoring = restoringMatrix(form);
     t.omega_radps = encounterGrid(form.lengthBp_m);
     std::vector<HullFlow> flows;
-    for (const double omega : t.omega_radps) {
-        flows.push_back(flowAbout(hull, omega));
-        t.radiation.push_back(radiationOf(hull, flows.back()));
-    }
+    for (const double omega : t.omega_radps) flows.push_back(flowAbout(hull, omega));
+    const LateralRadiation lateral(hull, flows);
+    for (const HullFlow& flow : flows) t.radiation.push_back(lateral.of(hull, flow));
     t.addedMassInfinite = addedMassAtInfinity(hull);
-    t.rollFrequency_radps = rollMode(form, 0.0).omega_radps;
+    for (const std::size_t i : {1, 3, 5})
+        for (const std::size_t j : {1, 3, 5}) t.addedMassInfinite(i, j) += lateral.atInfinity()(i, j);
+    t.rollFrequency_radps = FreeRoll(form, hull, lateral).at(0.0).omega_radps;
     t.speeds_mps = speedsOf(form, options);
     for (const double speed : t.speeds_mps)
         t.viscousRoll.push_back(viscousRollAt(form, t.rollFrequency_radps, speed));
     for (int i = 0; i < kHeadings; ++i) t.headings_rad.push_back(kPi * i / (kHeadings - 1));
     t.waveOmega_radps = waveGrid(form.lengthBp_m);
-    fillWaves(hull, flows, options.transomTerms, t);
+    fillWaves(hull, lateral, flows, options.transomTerms, t);
     return t;
 }
 

@@ -12,9 +12,9 @@ namespace sagara::core {
 /// Of the six motions, in the order and frame of `SeakeepingTables`.
 using Six = std::array<double, 6>;
 
-/// What the water around a ship remembers of her motions: for each velocity but surge five filters of second
+/// What the water around a ship remembers of her motions: for each velocity but surge six filters of second
 /// order, two values each.
-inline constexpr std::size_t kMemoryFilters = 5;
+inline constexpr std::size_t kMemoryFilters = 6;
 inline constexpr std::size_t kMemoryValues = 5 * 2 * kMemoryFilters;
 using MemoryState = std::array<double, kMemoryValues>;
 

@@ -53,6 +53,7 @@ HullResponse::HullResponse(const HullForm& form, const TableOptions& options)
     : m_form(form),
       m_options(options),
       m_hull(stripHullOf(form)),
+      m_lateral(m_hull),
       m_ikeda(ikedaShipOf(form)),
       m_mass(massMatrix(form)),
       m_restoring(restoringMatrix(form)) {}
@@ -75,7 +76,7 @@ WaveResponse HullResponse::respond(const MetWave& wave, double waveHeight_m) con
         force.set(i, overtaken ? std::conj(sum) : sum);
     }
     MotionEquation equation{
-        m_mass, radiationAt(radiationOf(m_hull, flow), omega, wave.speed_mps, m_options.transomTerms),
+        m_mass, radiationAt(m_lateral.of(m_hull, flow), omega, wave.speed_mps, m_options.transomTerms),
         m_restoring, 0.0};
     Complex6 motion;
     double roll_rad = 2.0 * kDegree_rad;
@@ -100,27 +101,38 @@ Complex6 atGravity(const HullForm& form, const MetWave& wave, const Complex6& at
     return movedTo(form.gravityForward_m, form.draught_m - form.gravityHeight_m, atBo, crest);
 }
 
-RollMode rollMode(const HullForm& form, double amplitude_rad) {
-    const StripHull hull = stripHullOf(form);
+FreeRoll::FreeRoll(const HullForm& form)
+    : FreeRoll(form, stripHullOf(form), LateralRadiation(stripHullOf(form))) {}
+
+FreeRoll::FreeRoll(const HullForm& form, const StripHull& hull, const LateralRadiation& lateral)
+    : m_ikeda(ikedaShipOf(form)),
+      m_waterDensity_kgpm3(form.waterDensity_kgpm3),
+      m_volume_m3(hull.volume_m3),
+      m_added_Nms(form.addedRollDamping_Nms) {
     MotionEquation equation{massMatrix(form), {}, restoringMatrix(form), 0.0};
     const double stiffness = equation.restoring(3, 3);
-    RollMode mode;
-    if (stiffness <= 0.0) return mode;
+    if (stiffness <= 0.0) return;
+    RollMode& mode = m_undamped;
     mode.omega_radps = std::sqrt(stiffness / (1.2 * equation.mass(3, 3)));
     double inertia = 0.0;
     for (int i = 0; i < 8; ++i) {
         const double omega = mode.omega_radps;
-        equation.radiation = radiationAt(radiationOf(hull, flowAbout(hull, omega)), omega, 0.0, false);
+        equation.radiation = radiationAt(lateral.of(hull, flowAbout(hull, omega)), omega, 0.0, false);
         Matrix6c Z = impedance(equation, omega);
         const Complex own = 1.0 / Z.inverse()(3, 3);  // the rest follows without being pushed
         mode.potential_Nms = own.imag() / omega;
         inertia = (stiffness - own.real()) / (omega * omega);
         mode.omega_radps = std::sqrt(stiffness / inertia);
     }
-    mode.viscous_Nms = form.addedRollDamping_Nms +
-                       viscousRollDamping_Nms(ikedaShipOf(form), form.waterDensity_kgpm3, hull.volume_m3,
-                                              amplitude_rad, mode.omega_radps, 0.0);
-    mode.dampingRatio = (mode.potential_Nms + mode.viscous_Nms) / (2.0 * std::sqrt(stiffness * inertia));
+    m_critical_Nms = 2.0 * std::sqrt(stiffness * inertia);
+}
+
+RollMode FreeRoll::at(double amplitude_rad) const {
+    RollMode mode = m_undamped;
+    if (m_critical_Nms == 0.0) return mode;
+    mode.viscous_Nms = m_added_Nms + viscousRollDamping_Nms(m_ikeda, m_waterDensity_kgpm3, m_volume_m3,
+                                                            amplitude_rad, mode.omega_radps, 0.0);
+    mode.dampingRatio = (mode.potential_Nms + mode.viscous_Nms) / m_critical_Nms;
     return mode;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/seakeeping/LateralRadiation.h"
 #include "core/seakeeping/MakeTables.h"
 #include "core/seakeeping/StripTheory.h"
 
@@ -45,6 +46,7 @@ private:
     HullForm m_form;
     TableOptions m_options;
     StripHull m_hull;
+    LateralRadiation m_lateral;
     IkedaShip m_ikeda;
     Matrix6 m_mass;
     Matrix6 m_restoring;
@@ -58,7 +60,21 @@ struct RollMode {
     double viscous_Nms = 0.0;    ///< at the amplitude
     double dampingRatio = 0.0;   ///< of critical, both together
 };
-RollMode rollMode(const HullForm& form, double amplitude_rad);
+class FreeRoll {
+public:
+    explicit FreeRoll(const HullForm& form);
+    FreeRoll(const HullForm& form, const StripHull& hull, const LateralRadiation& lateral);
+
+    RollMode at(double amplitude_rad) const;
+
+private:
+    IkedaShip m_ikeda;
+    double m_waterDensity_kgpm3;
+    double m_volume_m3;
+    double m_added_Nms;
+    RollMode m_undamped;  ///< but for the radiated waves
+    double m_critical_Nms = 0.0;
+};
 
 /// The table below of responses at hand.
 std::string raoTable(const std::vector<WaveResponse>& responses, double lengthBp_m);

@@ -91,7 +91,7 @@ struct MeanWaveForce {
 };
 
 struct SeakeepingTables {
-    static constexpr std::uint32_t kVersion = 2;  ///< of this layout and of the method that fills it
+    static constexpr std::uint32_t kVersion = 3;  ///< of this layout and of the method that fills it
 
     std::uint64_t inputHash = 0;  ///< of the hull, the loading, the options and kVersion: key of the cache
     double lengthBp_m = 0.0;

@@ -45,17 +45,17 @@ TEST(RollDamping, SpeedAndBilgeKeelsAddToIt) {
 TEST(RollDamping, Kvlcc2DecaysAsMeasured) {
     // Issue 5, section 6: period 3 %, damping ratio 40 %. The ratio of single swings scatters; the mean of
     // nine.
-    const HullForm form = referenceHull("kvlcc2");
+    const FreeRoll roll(referenceHull("kvlcc2"));
     for (const test::Row& row : test::readReference("seakeeping/kvlcc2_roll_decay_0kn.csv")) {
         if (static_cast<int>(row["i"]) % 6 != 0) continue;
-        const RollMode mode = rollMode(form, row["roll_abs"] * kDegree_rad);
+        const RollMode mode = roll.at(row["roll_abs"] * kDegree_rad);
         EXPECT_NEAR(kTwoPi / mode.omega_radps, 20.87, 0.03 * 20.87);
         EXPECT_NEAR(mode.dampingRatio, row["zeta_smooth"], 0.4 * row["zeta_smooth"]) << row["roll_abs"];
     }
 }
 
 TEST(RollDamping, AShipThatDoesNotStandUprightHasNoRollMode) {
-    EXPECT_EQ(rollMode(referenceHull("wigley_III"), 0.1).omega_radps, 0.0);
+    EXPECT_EQ(FreeRoll(referenceHull("wigley_III")).at(0.1).omega_radps, 0.0);
 }
 
 }  // namespace
