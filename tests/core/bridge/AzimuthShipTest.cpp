@@ -38,6 +38,9 @@ const OwnShip& rebuilt() {
         for (const char* member : {"\"areaEach_m2\": 112.5,", "\"liftSlope_perDeg\": 0.048,",
                                    "\"stallAngle_deg\": 45.0,", "\"raceShare\": 1.0,"})
             text = replaced(text, member, "");
+        const char* const kSingleScrew = ",\n      \"astern\"";
+        for (auto at = text.find(kSingleScrew); at != std::string::npos; at = text.find(kSingleScrew))
+            text.erase(at, text.find('}', at) + 1 - at);
         auto vessel = loadVessel("azimuth.json", text);
         if (!vessel) throw std::runtime_error(vessel.error().text());
         return OwnShip("own", "Own", std::move(vessel).value());

@@ -38,7 +38,7 @@ TEST(TrialTripOfABadDocument, SaysWhichSpeedIsOutOfReach) {
 
 TEST(TrialTripOfABadDocument, ComparesResistanceWithFrictionAndWeight) {
     EXPECT_EQ(problemsOf("kvlcc2", {{"/models/0/hull/R0", 0.001}}),
-              "kvlcc2.json: model gives a resistance of 1110 kN at 35.1 kn, expected 2800 kN, half the "
+              "kvlcc2.json: models[0] gives a resistance of 1110 kN at 35.1 kn, expected 2800 kN, half the "
               "friction of the hull, to 1410000 kN, 0.45 of her weight");
     EXPECT_EQ(
         problemsOf("patrol51", {{"/model/terms/0/X", -250000.0}}),
