@@ -25,7 +25,8 @@ std::vector<Event> bowEventsIn(const std::string& swells) {
 TEST(BowWatch, AShortSteepHeadSeaComesOverTheBowAndSlams) {
     const std::vector<Event> events = bowEventsIn(R"([{"height_m": 5.5, "period_s": 8.5, "from_deg": 225}])");
     for (const EventKind kind : {EventKind::GreenWater, EventKind::Slam}) {
-        EXPECT_TRUE(std::any_of(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; }));
+        EXPECT_TRUE(
+            std::any_of(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; }));
         std::int64_t last = -1'000'000;
         for (const Event& e : events) {
             if (e.kind != kind) continue;
