@@ -52,16 +52,17 @@ private:
     Matrix6 m_restoring;
 };
 
-/// Free roll of the upright ship at zero speed, the other five motions going along. All nothing where she
-/// does not stand upright.
+/// Roll at one amplitude, all nothing where the ship does not stand upright.
 struct RollMode {
     double omega_radps = 0.0;    ///< natural
     double potential_Nms = 0.0;  ///< damping by radiated waves about the axis she rolls about
     double viscous_Nms = 0.0;    ///< at the amplitude
     double dampingRatio = 0.0;   ///< of critical, both together
 };
+/// Free roll of the upright ship at zero speed, the other five motions going along.
 class FreeRoll {
 public:
+    /// Makes the radiation it needs: half a second.
     explicit FreeRoll(const HullForm& form);
     FreeRoll(const HullForm& form, const StripHull& hull, const LateralRadiation& lateral);
 
