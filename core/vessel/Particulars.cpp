@@ -107,6 +107,13 @@ const ShipKind* findShipKind(std::string_view name) {
     return nullptr;
 }
 
+double powerForResistance_W(const Particulars& particulars) {
+    Particulars p = particulars;
+    p.power_W.reset();
+    const ShipKind& kind = *findShipKind(p.kind);
+    return estimate::driveOf(p, kind, estimate::formOf(p, kind)).power_W;
+}
+
 Result<std::string, config::Problems> vesselFromParticulars(const Particulars& p) {
     config::Problems problems("particulars");
     checkSizes(p, problems);

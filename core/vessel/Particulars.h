@@ -67,6 +67,10 @@ struct Particulars {
     }
 };
 
+/// The power that vesselFromParticulars takes for a ship of which none is given: what the resistance of
+/// Holtrop and Mennen takes at the service speed. For particulars it accepts.
+double powerForResistance_W(const Particulars& particulars);
+
 /// A complete vessel document (JSON), every group of it estimated by published regressions and marked so with
 /// its source. The ship makes her speed at full ahead, steers, stops, backs and lies to her lines; accuracy
 /// of such estimates is some 20 to 30 % in turning. Problems name the member of `Particulars`.

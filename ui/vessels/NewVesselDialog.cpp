@@ -12,6 +12,7 @@
 #include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "core/base/Units.h"
 #include "core/vessel/Vessel.h"
@@ -250,6 +251,11 @@ QString NewVesselDialog::summary() const {
     const auto vessel = core::loadVessel("new", m_text);
     if (!vessel) return {};
     const core::Vessel& v = *vessel;
+    const core::Particulars p = particulars();
+    const QString power = p.power_W
+                              ? QString()
+                              : tr("Engine power about %1 kW, by resistance. ")
+                                    .arg(10.0 * std::round(1e-4 * core::powerForResistance_W(p)), 0, 'f', 0);
     return tr("%1 t, block coefficient %2. GM %3 m. Propellers: %4")
                .arg(v.hull.mass_kg() / 1000.0, 0, 'f', 0)
                .arg(v.hull.blockCoefficient(), 0, 'f', 3)
@@ -261,6 +267,7 @@ QString NewVesselDialog::summary() const {
                .arg(v.steering.areaEach_m2 * static_cast<double>(v.steering.rudders.size()), 0, 'f', 1)
                .arg(v.hull.depth_m, 0, 'f', 1)
                .arg(v.windage.lateralArea_m2, 0, 'f', 0) +
+           power +
            tr("Estimated by published regressions: expect 20 to 30 % in turning. Test her before a lesson, "
               "and "
               "replace what you know better.");

@@ -126,6 +126,10 @@ TEST_F(Vessels, ANewOneFromParticularsIsMadeAndTested) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !create->isEnabled(); }, 3000));
     EXPECT_TRUE(find<QLabel>("note-power_W", dialog)->text().contains(QStringLiteral("at least")));
     keep(dialog, QStringLiteral("vessels-new-refused"));
+    find<QDoubleSpinBox>("power_W", dialog)->setValue(0.0);  // not known
+    ASSERT_TRUE(QTest::qWaitFor([&] { return create->isEnabled(); }, 3000));
+    EXPECT_TRUE(find<QLabel>("summary", dialog)->text().contains(QStringLiteral("kW, by resistance")));
+    keep(dialog, QStringLiteral("vessels-new-without-power"));
     find<QDoubleSpinBox>("power_W", dialog)->setValue(2200.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return create->isEnabled(); }, 3000));
     keep(dialog, QStringLiteral("vessels-new"));
