@@ -165,7 +165,8 @@ void fillStops(PilotCardData::Condition& card, const core::Vessel& v, const Trie
         if (!stop.measure("stopping_time_s")) continue;
         card.stops.push_back({wordsOf(core::telegraphStepName(step)),
                               options.approach->speed_mps / core::kKnot_mps, *stop.measure("stopping_time_s"),
-                              *stop.measure("head_reach_over_L") * stop.length_m});
+                              *stop.measure("head_reach_over_L") * stop.length_m,
+                              *stop.measure("side_reach_over_L") * stop.length_m});
     }
 }
 

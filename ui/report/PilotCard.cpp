@@ -1,5 +1,7 @@
 #include "ui/report/PilotCard.h"
 
+#include <cmath>
+
 #include "ui/report/Blocks.h"
 #include "ui/report/PdfDocument.h"
 #include "ui/report/Style.h"
@@ -87,18 +89,24 @@ std::vector<Block> conditionBlocks(const PilotCardData& card, const PilotCardDat
         drawTurningCircles(painter, area, condition, length_m);
     };
     all.push_back(std::move(drawing));
-    Table table({{tr("Full astern from"), 34.0},
-                 {tr("Speed, kn"), 14.0, Qt::AlignRight},
-                 {tr("min:s"), 14.0, Qt::AlignRight},
-                 {tr("Reach, m"), kHalf_mm - 62.0, Qt::AlignRight}});
+    Table table({{tr("Full astern from"), 29.0},
+                 {tr("kn"), 10.0, Qt::AlignRight},
+                 {tr("min:s"), 13.0, Qt::AlignRight},
+                 {tr("Ahead, m"), 16.0, Qt::AlignRight},
+                 {tr("Aside, m"), kHalf_mm - 68.0, Qt::AlignRight}});
+    const auto aside = [](double side_m) {
+        if (std::abs(side_m) < 0.5) return QStringLiteral("0");
+        return (side_m > 0.0 ? tr("stbd %1") : tr("port %1")).arg(shown(std::abs(side_m), 0));
+    };
     for (const auto& stop : condition.stops) {
         const int seconds = static_cast<int>(stop.time_s + 0.5);
         table.addRow({{fromStd(stop.from)},
                       {shown(stop.speed_kn, 1)},
                       {QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'))},
-                      {shown(stop.reach_m, 0)}});
+                      {shown(stop.reach_m, 0)},
+                      {aside(stop.side_m)}});
     }
-    std::vector<Block> stopping{sectionTitle(tr("Stopping, head reach"))};
+    std::vector<Block> stopping{sectionTitle(tr("Stopping"))};
     add(stopping, table.takeBlocks());
     all.push_back(
         sideBySide(std::move(stopping), facts(tr("Turning"), condition.turning, 50.0), kRightFrom_mm));

@@ -22,7 +22,8 @@ struct PilotCardData {
         std::string from;
         double speed_kn = 0.0;
         double time_s = 0.0;
-        double reach_m = 0.0;
+        double reach_m = 0.0;  ///< ahead
+        double side_m = 0.0;   ///< to starboard
     };
     /// How she turns and stops in one loading and one depth of water.
     struct Condition {
