@@ -31,10 +31,6 @@ db::DocumentTable tableOf(core::DocumentKind kind) {
     return db::DocumentTable::Vessel;
 }
 
-std::shared_ptr<core::SeaHulls> hullsKeptIn(const std::filesystem::path& database) {
-    return std::make_shared<core::SeaHulls>(std::make_shared<DatabaseTables>(database));
-}
-
 /// The "name" of a document, or its id.
 std::string nameIn(const std::string& text, const std::string& id) {
     const auto json = nlohmann::json::parse(text, nullptr, false);
@@ -51,7 +47,7 @@ core::Utc now() {
 
 Store::Store(db::DataFolder folder)
     : m_folder(std::move(folder)),
-      m_hulls(hullsKeptIn(m_folder.database())),
+      m_hulls(std::make_shared<core::SeaHulls>(std::make_shared<DatabaseTables>(m_folder.database()))),
       m_assets(files::assetFolder()) {}
 
 core::Result<std::unique_ptr<Store>, std::string> Store::open(
