@@ -12,6 +12,7 @@
 #include "app/tools/Table.h"
 #include "app/tools/Trials.h"
 #include "core/identify/FittedDocument.h"
+#include "core/vessel/CompleteVessel.h"
 
 namespace sagara::tools {
 namespace {
@@ -92,7 +93,7 @@ int runIdentify(const run::Store& store, const IdentifyOptions& o) {
 
     const auto document = files::findDocument(store, core::DocumentKind::Vessel, o.ship.vessel);
     const std::string fitted =
-        core::fittedDocument(document->text, o.ship.model, found.manoeuvres, found.swings);
+        core::fittedDocument(*core::completeVessel(document->name, document->text), o.ship.model, found.manoeuvres, found.swings);
     if (const auto trouble = files::writeTextFile(o.out, fitted))
         return run::tell(trouble->message), run::kMachineFailed;
     run::print(identifyReport(found));

@@ -36,10 +36,9 @@ struct Drive {
     double shaft_rps, advance;  ///< J at the service speed
     double thrustEach_N;
     double resistance_N;
-    double power_W;                            ///< of all engines, maximum continuous
-    bool powerKnown;                           ///< and not worked out of the resistance
-    std::array<double, 3> thrustCoefficients;  ///< parabola through KT at 0, J and 1.4 J
-    double addedRace() const;                  ///< 2 T / (rho disc) over the square of the ship's speed
+    double power_W;            ///< of all engines, maximum continuous
+    bool powerKnown;           ///< and not worked out of the resistance
+    double addedRace() const;  ///< 2 T / (rho disc) over the square of the ship's speed
     double speed_mps;
 };
 Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form);
@@ -51,6 +50,9 @@ double buoyancyForward_m(const Form& form, double speed_mps);
 /// ITTC 1957 line over the wetted surface of Denny and Mumford.
 double frictionalResistance_N(const Form& form, double speed_mps);
 inline constexpr double kViscosity_m2ps = 1.19e-6;
+
+/// Share of the maximum continuous power that the service speed takes.
+inline constexpr double kServiceLoad = 0.85;
 
 /// Height over chord of an estimated rudder.
 inline constexpr double kRudderAspect = 1.8;

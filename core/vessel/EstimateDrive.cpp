@@ -7,7 +7,6 @@
 namespace sagara::core::estimate {
 namespace {
 
-constexpr double kServiceLoad = 0.85;
 constexpr double kShaftEfficiency = 0.97;
 
 /// Advance ratio at which KT / J^2 has this value: it falls without end as J grows.
@@ -49,14 +48,6 @@ double propellerPower_W(Drive& d, const Particulars& p, const Form& form) {
     d.shaft_rps = inflow_mps / (d.advance * d.diameter_m);
     return kTwoPi * d.screw.torqueCoefficient(d.advance) * kWater_kgpm3 * std::pow(d.shaft_rps, 3) *
            std::pow(d.diameter_m, 5) * p.shafts;
-}
-
-std::array<double, 3> parabola(const BScrew& screw, double J) {
-    const double a = screw.thrustCoefficient(0.0), b = screw.thrustCoefficient(J),
-                 c = screw.thrustCoefficient(1.4 * J);
-    const double slopeB = (b - a) / J, slopeC = (c - a) / (1.4 * J);
-    const double c2 = (slopeC - slopeB) / (0.4 * J);
-    return {a, slopeB - c2 * J, c2};
 }
 
 }  // namespace
@@ -112,7 +103,6 @@ Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form) {
                 .total_N();
         d.power_W = propellerPower_W(d, p, form) / (kServiceLoad * kShaftEfficiency);
     }
-    d.thrustCoefficients = parabola(d.screw, d.advance);
     return d;
 }
 
@@ -136,7 +126,7 @@ Rudders ruddersOf(const Particulars& p, const ShipKind& kind, const Form& f, con
     double area_m2 = 0.01 * f.draught_m * f.length_m * (1.0 + 25.0 * slenderness * slenderness);
     area_m2 = std::max(area_m2, kind.rudderShare * f.length_m * f.draught_m);
     if (!inRace) area_m2 *= 1.3;  // DNV: where rudders do not work directly behind a propeller
-    r.areaEach_m2 = area_m2 / p.rudders;
+    r.areaEach_m2 = p.rudderArea_m2.value_or(area_m2) / p.rudders;
 
     constexpr double kShare = 0.5;  // the race's part that has built up
     const double hullShare = 0.6784 - 1.3374 * f.block + 1.8891 * f.block * f.block;  // aH, Kijima (1990)

@@ -15,7 +15,7 @@ Form formOf(const Particulars& p, const ShipKind& kind) {
     f.draught_m = p.draught_m;
     f.volume_m3 = p.volume_m3();
     f.block = f.volume_m3 / (f.length_m * f.beam_m * f.draught_m);
-    f.depth_m = f.draught_m / kind.draughtOverDepth;
+    f.depth_m = p.depth_m.value_or(f.draught_m / kind.draughtOverDepth);
     f.freeboard_m = f.depth_m - f.draught_m;
     f.waterplane = std::clamp((1.0 + 2.0 * f.block) / 3.0, kind.leastWaterplane, 0.98);
     constexpr double kDeckHeight_m = 2.7;
@@ -25,7 +25,8 @@ Form formOf(const Particulars& p, const ShipKind& kind) {
     const double GM_m = KM_m - kind.gravityOverDepth * f.depth_m;
     // Ships are loaded to sail between these; small craft are stiffer.
     const double most = std::clamp(0.20 - 0.07 * (f.length_m - 25.0) / 75.0, 0.13, 0.20);
-    f.metacentric_m = std::clamp(GM_m, std::max(0.3, 0.03 * f.beam_m), std::max(0.5, most * f.beam_m));
+    f.metacentric_m = p.metacentricHeight_m.value_or(
+        std::clamp(GM_m, std::max(0.3, 0.03 * f.beam_m), std::max(0.5, most * f.beam_m)));
     f.gravityHeight_m = KM_m - f.metacentric_m;
     const double C = std::clamp(0.373 + 0.023 * f.beam_m / f.draught_m - 0.043 * f.length_m / 100.0, 0.35,
                                 0.45);  // period = 2 C B / sqrt(GM)

@@ -17,23 +17,30 @@ Json marked(Json group, const std::string& source) {
     return group;
 }
 
-Json hullGroup(const Form& f) {
-    return marked({{"lengthOverall_m", f.lengthOverall_m},
-                   {"lengthBp_m", f.length_m},
-                   {"beam_m", f.beam_m},
-                   {"draught_m", f.draught_m},
-                   {"depth_m", neat(f.depth_m)},
-                   {"displacement_m3", neat(f.volume_m3)},
-                   {"waterDensity_kgpm3", kWater_kgpm3},
-                   {"metacentricHeight_m", neat(f.metacentric_m)},
-                   {"waterplaneCoefficient", neat(f.waterplane)},
-                   {"rollGyradius_m", neat(f.rollGyradius_m)},
-                   {"pitchGyradius_m", neat(0.25 * f.length_m)}},
-                  "lengths, beam, draught and displacement as entered; depth and KG usual for the type; "
-                  "waterplane coefficient Schneekluth & Bertram 1998; GM with KB by Morrish and BM from the "
-                  "waterplane; roll gyradius from the roll period of the IMO 2008 IS Code; pitch gyradius "
-                  "0.25 Lpp");
+Json hullGroup(const Particulars& p, const Form& f) {
+    return marked(
+        {{"lengthOverall_m", f.lengthOverall_m},
+         {"lengthBp_m", f.length_m},
+         {"beam_m", f.beam_m},
+         {"draught_m", f.draught_m},
+         {"depth_m", neat(f.depth_m)},
+         {"displacement_m3", neat(f.volume_m3)},
+         {"waterDensity_kgpm3", kWater_kgpm3},
+         {"metacentricHeight_m", neat(f.metacentric_m)},
+         {"waterplaneCoefficient", neat(f.waterplane)},
+         {"rollGyradius_m", neat(f.rollGyradius_m)},
+         {"pitchGyradius_m", neat(0.25 * f.length_m)}},
+        "lengths, beam, draught and displacement " +
+            (p.source.empty() ? std::string("as entered") : "from " + p.source) + "; depth " +
+            (p.depth_m ? "the same" : "usual for the type") +
+            "; waterplane coefficient Schneekluth & Bertram 1998; GM " +
+            (p.metacentricHeight_m ? "as the lengths"
+                                   : "with KB by Morrish, BM from the waterplane, KG usual for the type") +
+            "; roll gyradius from the roll period of the IMO 2008 IS Code; pitch gyradius 0.25 Lpp");
 }
+
+/// Engines of slower shafts drive them without a gear.
+constexpr double kDirectBelow_rpm = 180.0;
 
 Json propulsionGroup(const Particulars& p, const Form& f, const Drive& d,
                      const std::vector<double>& across_m) {
@@ -46,18 +53,23 @@ Json propulsionGroup(const Particulars& p, const Form& f, const Drive& d,
     const double ramp_s = std::clamp(0.25 * f.length_m, 8.0, 90.0);
     Json units = Json::array();
     for (std::size_t i = 0; i < across_m.size(); ++i) {
-        units.push_back(
-            {{"id", kNames[across_m.size() - 1][i]},
-             {"x_m", neat(-0.485 * f.length_m)},
-             {"y_m", neat(across_m[i])},
-             {"diameter_m", neat(d.diameter_m)},
-             {"thrustCoefficients",
-              {neat(d.thrustCoefficients[0]), neat(d.thrustCoefficients[1]), neat(d.thrustCoefficients[2])}},
-             {"wakeFraction", neat(d.wake)},
-             {"thrustDeduction", neat(d.deduction)},
-             {"asternThrustRatio", 0.65},
-             {"shaftRate_rpmps", neat(std::clamp(full_rpm / ramp_s, 0.2, 200.0))},
-             {"reversingTime_s", neat(std::clamp(0.06 * f.length_m, 2.0, 25.0))}});
+        Json unit{{"id", kNames[across_m.size() - 1][i]},
+                  {"x_m", neat(-0.485 * f.length_m)},
+                  {"y_m", neat(across_m[i])},
+                  {"diameter_m", neat(d.diameter_m)},
+                  {"wageningenB",
+                   {{"blades", d.screw.blades},
+                    {"areaRatio", neat(d.screw.areaRatio)},
+                    {"pitchRatio", neat(d.screw.pitchRatio)}}},
+                  {"wakeFraction", neat(d.wake)},
+                  {"thrustDeduction", neat(d.deduction)},
+                  {"shaftRate_rpmps", neat(std::clamp(full_rpm / ramp_s, 0.2, 200.0))},
+                  {"reversingTime_s", neat(std::clamp(0.06 * f.length_m, 2.0, 25.0))}};
+        unit["engine"] = {{"power_kW", neat(1e-3 * d.power_W / p.shafts)},
+                          {"speed_rpm", neat(full_rpm * std::cbrt(1.0 / kServiceLoad))},
+                          {"idle_rpm", neat(0.28 * full_rpm)}};
+        if (full_rpm < kDirectBelow_rpm) unit["engine"]["startAir"] = {{"starts", 12}, {"refill_s", 300}};
+        units.push_back(std::move(unit));
     }
     const auto step = [&](double share) { return neat(share * full_rpm); };
     const auto percent = [](double share) { return config::formatNumber(std::round(share * 100.0) / 100.0); };
@@ -79,10 +91,11 @@ Json propulsionGroup(const Particulars& p, const Form& f, const Drive& d,
                       percent(p.speed_mps / kKnot_mps) +
                       " kn; wake Taylor 1933, thrust deduction Schoenherr; diameter " +
                       (p.propellerDiameter_m ? "as entered" : "Kristensen & Luetzen 2013") +
-                      "; telegraph steps and engine rates usual for the size");
+                      "; telegraph steps, engine and its rates usual for the size, " +
+                      (full_rpm < kDirectBelow_rpm ? "direct drive started by air" : "geared"));
 }
 
-Json steeringGroup(const Form& f, const Rudders& r) {
+Json steeringGroup(const Particulars& p, const Form& f, const Rudders& r) {
     Json rudders = Json::array();
     for (const double y_m : r.across_m)
         rudders.push_back({{"x_m", neat(-0.5 * f.length_m)}, {"y_m", neat(y_m)}});
@@ -95,11 +108,13 @@ Json steeringGroup(const Form& f, const Rudders& r) {
          {"rate_degps", neat(std::clamp(240.0 / f.length_m, 2.4, 7.0))},
          {"lag_s", 0.5},
          {"raceShare", neat(r.raceShare)}},
-        "area by the DNV rule T L / 100 (1 + 25 (B/L)^2), more where usual for the type (Molland & Turnock "
-        "2007); lift slope Fujii for an aspect ratio of "
-        "1.8, with the wake and the hull's share (Kijima et al. 1990) taken in; race by the MMG model "
-        "at the service speed (Yasukawa & Yoshimura 2015), 0.7 of it, for a rudder hard over is partly out "
-        "of it; rate of SOLAS II-1/29 and above");
+        std::string(p.rudderArea_m2 ? "area as entered"
+                                    : "area by the DNV rule T L / 100 (1 + 25 (B/L)^2), more where usual for "
+                                      "the type (Molland & Turnock 2007)") +
+            "; lift slope Fujii for an aspect ratio of 1.8, with the wake and the hull's share (Kijima et "
+            "al. "
+            "1990) taken in; race by the MMG model at the service speed (Yasukawa & Yoshimura 2015), 0.7 of "
+            "it, for a rudder hard over is partly out of it; rate of SOLAS II-1/29 and above");
 }
 
 /// A tunnel as deep as it goes, loaded as makers load them: 320 kW per square metre.
@@ -154,7 +169,7 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
     document["bridgeEye"] = {{"x_m", neat(kind.bridge * f.lengthOverall_m)},
                              {"y_m", 0.0},
                              {"height_m", neat(std::clamp(f.freeboard_m + f.houseHeight_m, 1.5, 60.0))}};
-    document["hull"] = hullGroup(f);
+    document["hull"] = hullGroup(p, f);
     document["model"] = modelGroup(f, drive, rudders, p.shafts);
     const double froude = drive.speed_mps / std::sqrt(kGravity_mps2 * f.length_m);
     document["seakeeping"] = marked({{"heaveAddedMassRatio", 1.0},
@@ -166,7 +181,7 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
                                     "ratios usual for displacement hulls (Journee & Massie 2001, chapter 8); "
                                     "roll damping with the lift damping of the service speed");
     document["propulsion"] = propulsionGroup(p, f, drive, shafts_m);
-    document["steering"] = steeringGroup(f, rudders);
+    document["steering"] = steeringGroup(p, f, rudders);
     if (p.bowThruster_W) document["thrusters"] = thrusterGroup(*p.bowThruster_W, f);
     document["windage"] = marked({{"blendermannType", kind.blendermannType},
                                   {"frontalArea_m2", neat(wind.frontal_m2)},

@@ -33,14 +33,20 @@ private:
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
+std::string kindNames() {
+    std::string names;
+    for (const ShipKind& kind : kShipKinds)
+        names += (names.empty() ? "one of " : ", ") + std::string(kind.name);
+    return names;
+}
+
 void checkSizes(const Particulars& p, config::Problems& problems) {
     Checker check(problems);
     if (!config::isId(p.id))
         problems.add(
             {"id", "is \"" + p.id + "\"", "1 to 60 small letters, digits and '-', such as coaster-90"});
     if (p.name.empty()) problems.add({"name", "is empty", "the name people choose her by"});
-    if (!findShipKind(p.kind))
-        problems.add({"kind", "is \"" + p.kind + "\"", "one of the ship types offered"});
+    if (!findShipKind(p.kind)) problems.add({"kind", "is \"" + p.kind + "\"", kindNames()});
     check.number("lengthOverall_m", p.lengthOverall_m, 8.0, 420.0, "m");
     check.number("lengthBp_m", p.lengthBp_m, 7.0, 400.0, "m");
     check.number("beam_m", p.beam_m, 2.0, 75.0, "m");
@@ -75,6 +81,16 @@ void checkSizes(const Particulars& p, config::Problems& problems) {
                                            " m3, a block coefficient of 0.3 to 0.9"
                                      : std::string("0.3 to 0.9"));
     }
+    if (p.depth_m)
+        check.number("depth_m", *p.depth_m, rounded(1.05 * p.draught_m, 0.01),
+                     rounded(5.0 * p.draught_m, 0.01), "m");
+    if (p.metacentricHeight_m)
+        check.number("metacentricHeight_m", *p.metacentricHeight_m, 0.1, rounded(0.4 * p.beam_m, 0.01), "m");
+    if (p.rudderArea_m2) {
+        const double plane_m2 = p.lengthBp_m * p.draught_m;
+        check.number("rudderArea_m2", *p.rudderArea_m2, rounded(0.005 * plane_m2, 0.01),
+                     rounded(0.1 * plane_m2, 0.01), "m2");
+    }
     if (p.bowThruster_W) check.number("bowThruster_W", *p.bowThruster_W, 5e3, 5e6, "W");
     if (p.propellerDiameter_m)
         check.number("propellerDiameter_m", *p.propellerDiameter_m, rounded(0.3 * p.draught_m, 0.01),
@@ -87,10 +103,10 @@ void checkPower(const Particulars& p, const estimate::Form& form, const estimate
     const double friction_N = estimate::frictionalResistance_N(form, p.speed_mps);
     const double weight_N = form.mass_kg() * kGravity_mps2;
     const double perResistance = drive.power_W / drive.resistance_N;
-    const auto say = [&](const std::string& expected) {
-        problems.add({"power_W", "is " + config::formatNumber(*p.power_W), expected});
-    };
     const auto kilowatts = [](double W) { return config::formatNumber(std::round(1e-3 * W)) + " kW"; };
+    const auto say = [&](const std::string& expected) {
+        problems.add({"power_W", "is " + kilowatts(*p.power_W), expected});
+    };
     if (drive.resistance_N < 0.95 * friction_N)
         say("at least " + kilowatts(friction_N * perResistance) +
             ": the friction of the hull alone takes that at this speed");

@@ -52,14 +52,18 @@ struct Particulars {
     double lengthBp_m = 0.0;
     double beam_m = 0.0;
     double draught_m = 0.0;
+    std::optional<double> depth_m;          ///< keel to main deck; none: usual for the kind
     std::optional<double> displacement_m3;  ///< one of these two
     std::optional<double> blockCoefficient;
-    double speed_mps = 0.0;         ///< service speed, made at 85 % of the power
+    std::optional<double> metacentricHeight_m;  ///< GM; none: by form and usual centre of gravity
+    double speed_mps = 0.0;                     ///< service speed, made at 85 % of the power
     std::optional<double> power_W;  ///< of all engines, maximum continuous; none: what her resistance takes
     int shafts = 1;
     int rudders = 1;
+    std::optional<double> rudderArea_m2;  ///< of all rudders, what moves; none: usual for the kind
     std::optional<double> propellerDiameter_m;
     std::optional<double> bowThruster_W;  ///< none: she has none
+    std::string source;                   ///< of these numbers; empty: entered by hand
 
     double volume_m3() const {
         return displacement_m3 ? *displacement_m3

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/vessel/CompleteVessel.h"
 #include "core/vessel/Plausible.h"
 #include "core/vessel/ReadPoint.h"
 
@@ -31,6 +32,11 @@ void checkElsewhere(config::Reader& in, const std::vector<NamedModel>& models) {
 
 /// "models", a list in order of preference, or a single "model".
 std::vector<NamedModel> readModels(config::Reader& in) {
+    if (!in.has("models") && !in.has("model")) {
+        in.problem("model", "is missing",
+                   "a manoeuvring model, or \"particulars\" from which one is estimated");
+        return {};
+    }
     if (!in.has("models")) {
         const std::vector<NamedModel> one{readGroup(in, "model", readShipModel)};
         checkElsewhere(in, one);
@@ -75,7 +81,9 @@ Result<const NamedModel*, std::string> Vessel::model(std::string_view modelName)
 }
 
 Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text) {
-    config::Document document(name, text);
+    const auto whole = completeVessel(name, text);
+    if (!whole) return whole.error();
+    config::Document document(name, *whole);
     if (!document.isKind("vessel", kVesselDocumentVersion)) return document.problems();
     config::Reader in(document.root());
     in.text("document");

@@ -43,7 +43,8 @@ struct Vessel {
     Result<const NamedModel*, std::string> model(std::string_view modelName = {}) const;
 };
 
-/// All problems of the document at once. `name` is used in messages: a file name or an id.
+/// All problems of the document at once. `name` is used in messages: a file name or an id. What a document
+/// with "particulars" lacks is estimated: completeVessel.
 Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string_view text);
 
 }  // namespace sagara::core

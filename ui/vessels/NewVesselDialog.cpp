@@ -74,6 +74,13 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     m_draught = number(left, "draught_m", tr("Draught"), 0.5, 26, 5.4, 2, tr("m"),
                        tr("Mean draught she sails at, metres"));
 
+    m_depth = number(left, "depth_m", tr("Depth"), 0, 60, 0, 2, tr("m"),
+                     tr("Keel to main deck, metres; 0: not known, usual for the type"));
+    m_depth->setSpecialValueText(tr("not known"));
+    m_stability = number(left, "metacentricHeight_m", tr("Metacentric height"), 0, 30, 0, 2, tr("m"),
+                         tr("GM as she is loaded, metres; 0: not known, estimated from the form"));
+    m_stability->setSpecialValueText(tr("not known"));
+
     auto* const right = new QFormLayout;
     m_fullness->addItems({tr("Displacement"), tr("Block coefficient")});
     m_fullness->setCurrentIndex(1);
@@ -99,6 +106,9 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     m_rudders->setObjectName(QStringLiteral("rudders"));
     m_rudders->setToolTip(tr("As many as shafts: one behind each propeller"));
     addRow(right, "rudders", tr("Rudders"), m_rudders);
+    m_rudderArea = number(right, "rudderArea_m2", tr("Rudder area"), 0, 300, 0, 1, tr("m²"),
+                          tr("Of all rudders together, square metres; 0: not known, usual for the type"));
+    m_rudderArea->setSpecialValueText(tr("not known"));
     m_propeller = number(right, "propellerDiameter_m", tr("Propeller diameter"), 0, 12, 0, 2, tr("m"),
                          tr("Metres; 0: not known, estimated from the draught"));
     m_propeller->setSpecialValueText(tr("not known"));
@@ -137,8 +147,8 @@ NewVesselDialog::NewVesselDialog(PaletteName colours, Taken taken, Save save, QW
     m_timer->setInterval(120);
     connect(m_timer, &QTimer::timeout, this, &NewVesselDialog::check);
     const auto later = [this] { m_timer->start(); };
-    for (QDoubleSpinBox* spin :
-         {m_loa, m_lpp, m_beam, m_draught, m_volume, m_block, m_speed, m_power, m_propeller, m_thruster})
+    for (QDoubleSpinBox* spin : {m_loa, m_lpp, m_beam, m_draught, m_depth, m_stability, m_volume, m_block,
+                                 m_speed, m_power, m_rudderArea, m_propeller, m_thruster})
         connect(spin, &QDoubleSpinBox::valueChanged, this, later);
     for (QSpinBox* spin : {m_shafts, m_rudders}) connect(spin, &QSpinBox::valueChanged, this, later);
     connect(m_kind, &QComboBox::currentTextChanged, this, later);
@@ -209,8 +219,14 @@ core::Particulars NewVesselDialog::particulars() const {
     if (m_power->value() > 0.0) p.power_W = 1000.0 * m_power->value();
     p.shafts = m_shafts->value();
     p.rudders = m_rudders->value();
+    const auto known = [](const QDoubleSpinBox* spin, std::optional<double>& member) {
+        if (spin->value() > 0.0) member = spin->value();
+    };
+    known(m_depth, p.depth_m);
+    known(m_stability, p.metacentricHeight_m);
+    known(m_rudderArea, p.rudderArea_m2);
+    known(m_propeller, p.propellerDiameter_m);
     if (m_thruster->value() > 0.0) p.bowThruster_W = 1e3 * m_thruster->value();
-    if (m_propeller->value() > 0.0) p.propellerDiameter_m = m_propeller->value();
     return p;
 }
 

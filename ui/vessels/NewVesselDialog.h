@@ -49,8 +49,8 @@ private:
     Save m_save;
     QLineEdit *m_id, *m_name;
     QComboBox *m_kind, *m_fullness;
-    QDoubleSpinBox *m_loa, *m_lpp, *m_beam, *m_draught, *m_volume, *m_block, *m_speed, *m_power, *m_propeller,
-        *m_thruster;
+    QDoubleSpinBox *m_loa, *m_lpp, *m_beam, *m_draught, *m_depth, *m_stability, *m_rudderArea, *m_volume,
+        *m_block, *m_speed, *m_power, *m_propeller, *m_thruster;
     QSpinBox *m_shafts, *m_rudders;
     QLabel* m_summary;
     QPushButton* m_ok;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/vessel/CompleteVessel.h"
 #include "core/vessel/Vessel.h"
 
 namespace sagara::ui {
@@ -77,6 +78,7 @@ core::Result<VesselFile, std::string> readVesselFile(const std::string& name, co
     }
     const auto vessel = core::loadVessel(name, file.text);
     if (!vessel) return vessel.error().text();
+    file.text = core::completeVessel(name, file.text).value();
     return file;
 }
 
