@@ -20,6 +20,7 @@ MmgShip::MmgShip(const MmgModel& model, const Vessel& vessel)
       m_yawInertia_kgm2(m_mass_kg * (m_deep.inertia.yawGyradius_m * m_deep.inertia.yawGyradius_m +
                                      m_deep.inertia.xG_m * m_deep.inertia.xG_m)),
       m_gravityDepth_m(gravityDepth_m(m_hull)) {
+    if (vessel.planing) m_planing.emplace(*vessel.planing, m_hull);
     for (const BodyPoint& rudder : m_steering.rudders) {
         const auto across_m = [&](std::size_t i) {
             return std::abs(m_screws[i].unit().position.y_m - rudder.y_m);
@@ -109,7 +110,9 @@ PlanarAcceleration MmgShip::acceleration(const ShipMotion& m, const Actuators& a
     a.yaw_radps2 = (sway_kg * f.yaw_Nm - moment * f.sway_N) / determinant;
     const double turning_N = m_massScale_kg * k.mx * m.surge_mps * m.yawRate_radps;
     const double ofHull_N = own.hull.sway_N - turning_N;  // at rest in frame B
-    const double depth = kLateralForceDepth * m_hull.draught_m, added_N = m_massScale_kg * k.my * a.sway_mps2;
+    const double floating_m = kLateralForceDepth * m_hull.draught_m;
+    const double depth = m_planing ? m_planing->sideForceDepth_m(m.surge_mps, floating_m) : floating_m;
+    const double added_N = m_massScale_kg * k.my * a.sway_mps2;
     a.heelAtBo_Nm = own.rudder.roll_Nm + own.propeller.roll_Nm - depth * ofHull_N;
     a.heel_Nm = a.heelAtBo_Nm + depth * added_N +
                 m_gravityDepth_m * (ofHull_N - added_N + own.rudder.sway_N + own.propeller.sway_N);

@@ -2,6 +2,7 @@
 
 #include "core/motion/Actuators.h"
 #include "core/motion/MmgRudderForce.h"
+#include "core/motion/Planing.h"
 #include "core/motion/PolynomialShip.h"
 #include "core/vessel/Vessel.h"
 
@@ -57,6 +58,7 @@ private:
     double m_mass_kg;
     double m_yawInertia_kgm2;  ///< about midship, without added
     double m_gravityDepth_m;   ///< of the centre of gravity, below the waterline
+    std::optional<Planing> m_planing;
 };
 
 }  // namespace sagara::core

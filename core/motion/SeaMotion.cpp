@@ -74,13 +74,13 @@ double SeaMotion::effectiveHeel_rad(const WaveForces& waves) const {
            m_hull->restoring(kRoll, kRoll);
 }
 
-double SeaMotion::ahead(const ShipMotion& m) const { return std::clamp(m.surge_mps, 0.0, m_fastest_mps); }
+double SeaMotion::ahead(double surge_mps) const { return std::clamp(surge_mps, 0.0, m_fastest_mps); }
 
 /// Of frame B through the water, as the memory counts it; nothing remembers surge.
 Six SeaMotion::velocity(const ShipMotion& m) const {
     return {0.0,
             m.sway_mps,
-            m.heaveRate_mps + ahead(m) * m.pitch_rad,
+            m.heaveRate_mps + ahead(m.surge_mps) * m.pitch_rad,
             m_ownsRoll ? 0.0 : m.rollRate_radps,
             m.pitchRate_radps,
             m.yawRate_radps};
@@ -88,7 +88,7 @@ Six SeaMotion::velocity(const ShipMotion& m) const {
 
 /// On a hull whose roll is the tables': without radiated waves.
 double SeaMotion::roll_Nm(const ShipMotion& m, const Acting& acting) const {
-    const ViscousRoll damping = m_rollDamping.value_or(m_hull->viscousRollAt(ahead(m)));
+    const ViscousRoll damping = m_rollDamping.value_or(m_hull->viscousRollAt(ahead(m.surge_mps)));
     const double p = m.rollRate_radps;
     return acting.model.heelAtBo_Nm + acting.external.roll_Nm - m_hull->restoring(kRoll, kRoll) * m.roll_rad -
            m_hull->mass(kRoll, kSway) * m.surge_mps * m.yawRate_radps -
@@ -98,7 +98,7 @@ double SeaMotion::roll_Nm(const ShipMotion& m, const Acting& acting) const {
 SeaMotion::Three SeaMotion::lateral(const ShipMotion& m, const Water& water, const Acting& acting) const {
     const PlanarAcceleration& a = acting.model;
     const Matrix6 &slow = m_hull->memory.slowAddedMass(), &slowEnd = m_hull->memory.slowEndMass();
-    const double U = ahead(m), v = m.sway_mps, r = m.yawRate_radps;
+    const double U = ahead(m.surge_mps), v = m.sway_mps, r = m.yawRate_radps;
     Six f{};
     for (const std::size_t i : kLateral)
         f[i] = m_slow(i, kSway) * a.sway_mps2 + m_slow(i, kYaw) * a.yaw_radps2 + acting.waves.first[i];
@@ -117,7 +117,7 @@ SeaMotion::Three SeaMotion::lateral(const ShipMotion& m, const Water& water, con
 SeaMotion::Three SeaMotion::vertical(const ShipMotion& m, const Water& water, const Acting& acting) const {
     const Matrix6 &A = m_hull->addedMass, &C = m_hull->restoring;
     const Six &first = acting.waves.first, &v = water.velocity;
-    const double U = ahead(m), passing = U * m.pitchRate_radps;
+    const double U = ahead(m.surge_mps), passing = U * m.pitchRate_radps;
     const double heave_N = first[kHeave] + acting.external.heave_N - C(kHeave, kHeave) * m.down_m -
                            C(kHeave, kPitch) * m.pitch_rad - water.kept[kHeave] -
                            A(kHeave, kHeave) * passing - U * water.end[kHeave];
@@ -127,6 +127,21 @@ SeaMotion::Three SeaMotion::vertical(const ShipMotion& m, const Water& water, co
                             A(kPitch, kHeave) * passing + U * (direct_Ns + water.momentum[kHeave]) -
                             U * water.end[kPitch];
     return {m_slow(kSurge, kSurge) * acting.model.surge_mps2 + first[kSurge], heave_N, pitch_Nm};
+}
+
+Load SeaMotion::holding(double down_m, double pitch_rad, double surge_mps) const {
+    const Matrix6& C = m_hull->restoring;
+    const double U = ahead(surge_mps), through_mps = U * pitch_rad;
+    const double added_kg = m_slow(kHeave, kHeave) - m_hull->mass(kHeave, kHeave);
+    Load load;
+    load.heave_N = C(kHeave, kHeave) * down_m + C(kHeave, kPitch) * pitch_rad;
+    load.pitch_Nm = C(kPitch, kHeave) * down_m + C(kPitch, kPitch) * pitch_rad - U * added_kg * through_mps;
+    if (m_hull->transomTerms) {
+        const Matrix6& end = m_hull->memory.slowEndMass();
+        load.heave_N += U * end(kHeave, kHeave) * through_mps;
+        load.pitch_Nm += U * end(kPitch, kHeave) * through_mps;
+    }
+    return load;
 }
 
 SeaMotion::Rate SeaMotion::rate(const MovingShip& ship, const PlanarAcceleration& model, const Load& external,

@@ -39,6 +39,9 @@ public:
     Rate rate(const MovingShip& ship, const PlanarAcceleration& model, const Load& external,
               const WaveForces& waves) const;
 
+    /// The loads on heave and pitch that hold her at an attitude of her own on even water.
+    Load holding(double down_m, double pitch_rad, double surge_mps) const;
+
     /// The heel at which calm water would give her the waves' roll moment, less what they make by swaying
     /// her; for a model that owns roll, else 0. In a long wave the slope of its surface.
     double effectiveHeel_rad(const WaveForces& waves) const;
@@ -61,7 +64,7 @@ private:
         const Load& external;
         const WaveForces& waves;
     };
-    double ahead(const ShipMotion& m) const;  ///< speed that strip theory is asked at
+    double ahead(double surge_mps) const;  ///< speed that strip theory is asked at
     Six velocity(const ShipMotion& m) const;
     double roll_Nm(const ShipMotion& m, const Acting& acting) const;
     Three lateral(const ShipMotion& m, const Water& water, const Acting& acting) const;

@@ -81,6 +81,7 @@ ShipDynamics::ShipDynamics(const Vessel& vessel, std::string_view model, std::sh
       m_gravityDepth_m(gravityDepth_m(vessel.hull)),
       m_springs(vessel) {
     if (m_holds) m_elsewhere = makeShip(vessel, m_holds->elsewhere);
+    if (vessel.planing) m_planing.emplace(*vessel.planing, vessel.hull);
     if (hull && wavesOf(vessel.model(model).value()->parameters) == WaveFeeling::Pressure)
         takeToSea(vessel, std::move(hull));
 }
@@ -189,16 +190,18 @@ ShipMotion ShipDynamics::onSprings(const ShipMotion& m, const Actuators& actuato
     const Load load = external + thrusterLoad(m_thrusters, m, actuators, m_hull);
     const PlanarAcceleration a = acceleration(m, actuators, load, depth_m);
     const Springs& s = m_springs;
+    const RunningAttitude running = m_planing ? m_planing->at(m.surge_mps) : RunningAttitude();
     ShipMotion rate = kinematics(m, current);
     rate.surge_mps = a.surge_mps2;
     rate.sway_mps = a.sway_mps2;
     rate.yawRate_radps = a.yaw_radps2;
     rate.rollRate_radps = a.roll_radps2;
     rate.heaveRate_mps =
-        (load.heave_N - s.heaveStiffness * m.down_m - s.heaveDamping * m.heaveRate_mps) / s.heaveMass;
-    rate.pitchRate_radps =
-        (load.pitch_Nm - s.pitchStiffness * m.pitch_rad - s.pitchDamping * m.pitchRate_radps) /
-        s.pitchInertia;
+        (load.heave_N - s.heaveStiffness * (m.down_m - running.down_m) - s.heaveDamping * m.heaveRate_mps) /
+        s.heaveMass;
+    rate.pitchRate_radps = (load.pitch_Nm - s.pitchStiffness * (m.pitch_rad - running.pitch_rad) -
+                            s.pitchDamping * m.pitchRate_radps) /
+                           s.pitchInertia;
     if (m_heightMotion) m_heightMotion->apply(m, load, heights, rate);
     return rate;
 }
@@ -222,8 +225,12 @@ MovingShip ShipDynamics::derivative(const MovingShip& ship, const Actuators& act
     const ShipMotion& m = ship.motion;
     if (!m_sea) return {onSprings(m, actuators, external, waves.heights, current, depth_m), {}};
     const ShipMotion relative = throughWater(m, waves.forces);
-    const Load load = external + waves.wetted + meanForce(waves.forces) +
-                      thrusterLoad(m_thrusters, relative, actuators, m_hull);
+    Load load = external + waves.wetted + meanForce(waves.forces) +
+                thrusterLoad(m_thrusters, relative, actuators, m_hull);
+    if (m_planing) {
+        const RunningAttitude running = m_planing->at(m.surge_mps);
+        load = load + m_sea->holding(running.down_m, running.pitch_rad, m.surge_mps);
+    }
     const SeaMotion::Rate at =
         m_sea->rate(ship, acceleration(relative, actuators, load, depth_m), load, waves.forces);
     MovingShip rate{kinematics(m, current), at.water};

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/motion/MmgShip.h"
+#include "core/motion/Planing.h"
 #include "core/motion/SeaMotion.h"
 #include "core/motion/TransferShip.h"
 #include "core/motion/WaveEffect.h"
@@ -84,6 +85,7 @@ private:
     std::optional<ManoeuvringShip> m_elsewhere;  ///< there with m_holds
     std::optional<HeightMotion> m_heightMotion;  ///< instead of tables and springs
     std::optional<SeaMotion> m_sea;
+    std::optional<Planing> m_planing;
     std::size_t m_shafts;
     bool m_headingFollowsRoll;
     bool m_instantaneousHull;

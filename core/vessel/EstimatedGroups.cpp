@@ -135,6 +135,20 @@ Json thrusterGroup(double power_W, const Form& f) {
                   "goes, 0.41 Lpp forward; ramp usual of electric drives");
 }
 
+/// Fast for her weight: speed over sqrt(g V^(1/3)).
+bool planes(const Form& f, const Drive& d) {
+    constexpr double kPlanesFrom = 2.0;
+    return d.speed_mps > kPlanesFrom * std::sqrt(kGravity_mps2 * std::cbrt(f.volume_m3));
+}
+
+Json planingGroup(const Form& f, const Drive& d) {
+    return marked({{"chineBeam_m", neat(0.85 * f.beam_m)},
+                   {"deadrise_deg", 18.0},
+                   {"gravityFromTransom_m", neat(0.5 * f.length_m + buoyancyForward_m(f, d.speed_mps))}},
+                  "a craft of volume Froude number above 2 planes; chines and deadrise usual of such, centre "
+                  "of gravity over the centre of buoyancy afloat");
+}
+
 struct Windage {
     double frontal_m2, lateral_m2, forward_m, height_m;
 };
@@ -170,6 +184,7 @@ Json documentOf(const Particulars& p, const ShipKind& kind, const Form& f, const
                              {"y_m", 0.0},
                              {"height_m", neat(std::clamp(f.freeboard_m + f.houseHeight_m, 1.5, 60.0))}};
     document["hull"] = hullGroup(p, f);
+    if (planes(f, drive)) document["planing"] = planingGroup(f, drive);
     document["model"] = modelGroup(f, drive, rudders, p.shafts);
     const double froude = drive.speed_mps / std::sqrt(kGravity_mps2 * f.length_m);
     document["seakeeping"] = marked({{"heaveAddedMassRatio", 1.0},

@@ -97,6 +97,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.bridgeEyeHeight_m = eye.number("height_m", {0.5, 80.0, "m"});
     eye.rejectUnknownKeys();
     v.hull = readGroup(in, "hull", readHull);
+    if (in.has("planing")) v.planing = readGroup(in, "planing", readPlaningHull);
     v.models = readModels(in);
     v.seakeeping = readGroup(in, "seakeeping", readSeakeeping);
     v.propulsion = readGroup(in, "propulsion", readPropulsion);
@@ -112,6 +113,7 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
     if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);
+    if (in.sound() && v.planing) checkPlaningHull(in, *v.planing, v.hull);
     if (in.sound()) checkAstern(in, v);
     if (in.sound()) checkPlausible(in, v);
     in.rejectUnknownKeys();

@@ -9,6 +9,7 @@
 #include "core/vessel/Hull.h"
 #include "core/vessel/Machinery.h"
 #include "core/vessel/Picture.h"
+#include "core/vessel/PlaningHull.h"
 #include "core/vessel/ShallowWater.h"
 #include "core/vessel/ShipModel.h"
 #include "core/vessel/Thrusters.h"
@@ -27,6 +28,7 @@ struct Vessel {
     BodyPoint bridgeEye;
     double bridgeEyeHeight_m = 0.0;
     Hull hull;
+    std::optional<PlaningHull> planing;  ///< none: she floats at any speed
     std::vector<NamedModel> models;  ///< at least one; the first is the default
     Seakeeping seakeeping;
     Propulsion propulsion;

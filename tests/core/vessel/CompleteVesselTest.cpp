@@ -69,6 +69,19 @@ TEST(CompleteVessel, TakesWhatIsKnownOfFormAndRudder) {
               "v.json: particulars.rudderArea_m2 is 96, expected 2.27 to 45.36 m2");
 }
 
+TEST(CompleteVessel, ACraftFastForHerWeightPlanes) {
+    EXPECT_FALSE(loadVessel("v.json", coaster().dump())->planing);
+    Json document = coaster();
+    document["type"] = "fast craft";
+    document["particulars"] = {
+        {"lengthOverall_m", 12.0}, {"lengthBp_m", 10.8}, {"beam_m", 3.6},   {"draught_m", 0.8},
+        {"blockCoefficient", 0.4}, {"speed_kn", 32},     {"power_kW", 600}, {"shafts", 2}};
+    const auto boat = loadVessel("v.json", document.dump());
+    ASSERT_TRUE(boat) << boat.error().text();
+    ASSERT_TRUE(boat->planing);
+    EXPECT_EQ(boat->planing->provenance.quality, Quality::Estimated);
+}
+
 TEST(CompleteVessel, LeavesWhatTheDocumentHas) {
     Json document = coaster();
     const Json patrol = Json::parse(test::readAsset("vessels/patrol51.json"));
