@@ -8,7 +8,7 @@ uniform mat4 u_viewProjection;
 uniform vec4 u_grid;  // x: factor on distances
 
 out vec3 v_position;
-out vec4 v_water;  // x: shelter, y: depth, z: height above still water
+out vec4 v_water;  // x: factor on the waves, y: depth, z: height above still water
 out vec4 v_air;    // what the air adds, and the share it leaves: the net is fine enough on the screen
 
 void main() {

@@ -27,7 +27,7 @@ void watchBow(const World& world, State& state, std::size_t index, const TickEnv
     const HeadingFrame frame(s.motion.position(), s.motion.heading_rad);
     const auto rise = [&](double forward_m) {
         const NorthEast place = frame.point({forward_m, 0.0});
-        const double factor = waveFactorAt(world, environment.water, place);
+        const double factor = environment.water.waves.factorAt(place);
         return riseAt(s.motion, forward_m, factor * longElevation_m(environment.waves, place));
     };
     const Bow& bow = ship.bow;

@@ -5,7 +5,6 @@
 
 #include "core/motion/BankLoad.h"
 #include "core/motion/ShallowHull.h"
-#include "core/sea/Nearshore.h"
 #include "core/world/Bank.h"
 
 namespace sagara::core {
@@ -49,17 +48,10 @@ Load passingLoad(const World& world, const State& state, std::size_t index, doub
 }  // namespace
 
 WaterNow::WaterNow(const World& world, const State& state, SimTime time)
-    : uniform(state.weather.now.current), tide_m(world.tide.height_m(time)) {
+    : uniform(state.weather.now.current),
+      tide_m(world.tide.height_m(time)),
+      waves(world.area, state.weather.sea.systems, tide_m) {
     if (!world.streams.empty()) clock = tidalClockAt(world.highWaters, time);
-    if (!world.area.shoaling) return;
-    double energy = 0.0, highest = 0.0;
-    for (const SeaSystem& s : state.weather.sea.systems) {
-        energy += s.significantHeight_m * s.significantHeight_m;
-        if (s.significantHeight_m <= highest) continue;
-        highest = s.significantHeight_m;
-        peakPeriod_s = s.peakPeriod_s;
-    }
-    significantHeight_m = std::sqrt(energy);
 }
 
 NorthEast currentAt(const World& world, const WaterNow& now, NorthEast p) {
@@ -69,13 +61,6 @@ NorthEast currentAt(const World& world, const WaterNow& now, NorthEast p) {
 NorthEast currentAt(const World& world, const State& state, NorthEast p) {
     if (world.streams.empty()) return state.weather.now.current;
     return state.weather.now.current + world.streams.at(p, tidalClockAt(world.highWaters, state.time()));
-}
-
-double waveFactorAt(const World& world, const WaterNow& now, NorthEast p) {
-    const double shelter = world.area.shelterFactor(p);
-    if (!world.area.shoaling || now.significantHeight_m <= 0.0) return shelter;
-    return shelter * nearshoreFactor(shelter * now.significantHeight_m, now.peakPeriod_s,
-                                     world.area.waveDepth_m, world.area.depth_m(p) + now.tide_m);
 }
 
 Load streamLoad(const World& world, const WaterNow& now, const OwnShip& ship, const ShipMotion& m,

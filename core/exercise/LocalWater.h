@@ -2,6 +2,7 @@
 
 #include "core/exercise/State.h"
 #include "core/motion/ShipInteraction.h"
+#include "core/world/LocalWaves.h"
 
 /// The water where a ship is: what is not the same over the whole area.
 namespace sagara::core {
@@ -11,17 +12,13 @@ struct WaterNow {
     WaterNow(const World& world, const State& state, SimTime time);
     NorthEast uniform;  ///< current of the weather
     TidalClock clock;
-    double significantHeight_m = 0.0;
-    double peakPeriod_s = 0.0;  ///< of the highest train
-    double tide_m = 0.0;        ///< above chart datum
+    double tide_m = 0.0;  ///< above chart datum
+    LocalWaves waves;
 };
 
 /// Current at a place: that of the weather and the area's streams together.
 NorthEast currentAt(const World& world, const WaterNow& now, NorthEast p);
 NorthEast currentAt(const World& world, const State& state, NorthEast p);
-
-/// Factor on the waves of the open area: shelter, and where the area says so shoaling and breaking.
-double waveFactorAt(const World& world, const WaterNow& now, NorthEast p);
 
 /// What a current that changes along her way and her length adds to a ship: she keeps her own momentum while
 /// the water about her changes, -m (v . grad) current, v through the water; and her hull turns against the

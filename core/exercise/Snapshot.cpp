@@ -119,7 +119,7 @@ Snapshot view(const World& world, const State& state) {
                      t.speed_mps,
                      t.yawRate_radps,
                      activityNow(targetLayout(world, state, i), t)};
-        ride(v, targetLayout(world, state, i).length_m, waves, waveFactorAt(world, water, t.position));
+        ride(v, targetLayout(world, state, i).length_m, waves, water.waves.factorAt(t.position));
         snapshot.targets.push_back(v);
     }
     snapshot.added = state.added;

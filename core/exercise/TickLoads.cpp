@@ -38,8 +38,7 @@ TickLoads::TickLoads(const World& world, const State& state, std::size_t index,
     middle.down_m += 0.5 * kTick_s * s.motion.heaveRate_mps;
     middle.roll_rad += 0.5 * kTick_s * s.motion.rollRate_radps;
     middle.pitch_rad += 0.5 * kTick_s * s.motion.pitchRate_radps;
-    m_waves =
-        m_ship.dynamics.wavesAt(environment.waves, middle, waveFactorAt(world, environment.water, place));
+    m_waves = m_ship.dynamics.wavesAt(environment.waves, middle, environment.water.waves.factorAt(place));
     WindVelocity wind = environment.wind;
     wind.speed_mps *= windFactorAt(m_ship.vessel.windage.centroidHeight_m, world.windProfile, wind.speed_mps);
     m_wind = windLoad(m_ship.vessel.windage, m_ship.vessel.hull.lengthOverall_m, wind, s.motion.heading_rad,

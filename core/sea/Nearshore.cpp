@@ -26,12 +26,4 @@ double breakingHeight_m(double period_s, double depth_m) {
     return 0.88 / k * std::tanh(0.6 * k * depth_m / 0.88);
 }
 
-double nearshoreFactor(double significantHeight_m, double period_s, double fromDepth_m, double depth_m) {
-    if (depth_m <= kDry_m) return 0.0;
-    const double shoaled = shoalingCoefficient(period_s, fromDepth_m, depth_m);
-    const double breaking_m = breakingHeight_m(period_s, depth_m);
-    const double limited = significantHeight_m > 0.0 ? breaking_m / significantHeight_m : shoaled;
-    return std::min({shoaled, limited, 2.0});
-}
-
 }  // namespace sagara::core

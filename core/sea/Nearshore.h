@@ -11,7 +11,4 @@ double shoalingCoefficient(double period_s, double fromDepth_m, double depth_m);
 /// (1978): 0.6 h on a beach (measured 0.4 to 0.8, Thornton and Guza 1982), 0.14 of the length in deep water.
 double breakingHeight_m(double period_s, double depth_m);
 
-/// Both together as one factor on the sea of the open area, 0 on dry land. Never above 2.
-double nearshoreFactor(double significantHeight_m, double period_s, double fromDepth_m, double depth_m);
-
 }  // namespace sagara::core

@@ -142,9 +142,7 @@ Ogre::TexturePtr byteTexture(const std::string& name, const MipChain<std::uint32
 Ogre::TexturePtr byteTexture(const std::string& name, int width, int height,
                              const std::vector<std::uint32_t>& pixels) {
     auto texture = newTexture(name, width, height, 1, Ogre::PF_A8B8G8R8, Ogre::TU_STATIC_WRITE_ONLY);
-    const Ogre::PixelBox box(static_cast<unsigned>(width), static_cast<unsigned>(height), 1,
-                             Ogre::PF_A8B8G8R8, const_cast<std::uint32_t*>(pixels.data()));
-    texture->getBuffer()->blitFromMemory(box);
+    upload(texture, pixels);
     return texture;
 }
 Ogre::TexturePtr texture(const std::string& name, const TextureImage& image) {
@@ -157,6 +155,12 @@ Ogre::TexturePtr texture(const std::string& name, const TextureImage& image) {
                              const_cast<std::uint32_t*>(image.abgr.data()));
     made->getBuffer()->blitFromMemory(box);
     return made;
+}
+void upload(const Ogre::TexturePtr& texture, const std::vector<std::uint32_t>& pixels) {
+    // OGRE's PixelBox is not const-correct; it is only read here.
+    const Ogre::PixelBox box(texture->getWidth(), texture->getHeight(), 1, Ogre::PF_A8B8G8R8,
+                             const_cast<std::uint32_t*>(pixels.data()));
+    texture->getBuffer()->blitFromMemory(box);
 }
 void upload(const Ogre::TexturePtr& texture, const MipChain<float>& chain) {
     uploadChain(texture, chain, Ogre::PF_FLOAT32_R);

@@ -31,6 +31,7 @@ Ogre::TexturePtr byteTexture(const std::string& name, int width, int height,
                              const std::vector<std::uint32_t>& pixels);
 /// With mipmaps.
 Ogre::TexturePtr texture(const std::string& name, const TextureImage& image);
+void upload(const Ogre::TexturePtr& texture, const std::vector<std::uint32_t>& pixels);
 void upload(const Ogre::TexturePtr& texture, const MipChain<float>& chain);
 void upload(const Ogre::TexturePtr& texture, const MipChain<std::uint32_t>& chain);
 

@@ -43,8 +43,7 @@ void LightsPart::advance(const Frame& frame) {
     const core::Area& area = frame.world.area;
     for (MarkInSea& m : m_marks) {
         const core::NorthEast p = m.mark->position;
-        m.up_m = m.mark->floating ? area.shelterFactor(p) * m_sea.tiles().elevation_m(p)
-                                  : area.meanTideLevel_m - frame.moment.tide_m;
+        m.up_m = m.mark->floating ? m_sea.height_m(p) : area.meanTideLevel_m - frame.moment.tide_m;
     }
 }
 

@@ -16,7 +16,6 @@ namespace {
 
 /// Pictures up to this height take a net of two thirds: as fine on the screen as the other in a large one.
 constexpr int kSmall_px = 480;
-constexpr double kDeepest_m = 60.0;  ///< of the water map's green
 constexpr double kSector_rad = core::kTwoPi / kSeaSectors;
 
 double fraction(double v) { return v - std::floor(v); }
@@ -35,14 +34,15 @@ double halfWidth_rad(const Camera& c) {
 SeaPart::SeaPart(const PartContext& context)
     : m_tiles(context.world.waves),
       m_slopes(context.figures.mipmapsBetween ? Mipmaps::Between : Mipmaps::Nearest),
-      m_material(context.materials.make("sea")) {
+      m_material(context.materials.make("sea")),
+      m_far("water-far", context.world.area, context.world.area.shelter.size()),
+      m_near("water-near", context.world.area, 0),
+      m_local(context.world.area, {}, 0.0) {
     for (std::size_t b = 0; b < 3; ++b) {
         const std::string number = std::to_string(b);
         m_heights[b] = floatTexture("height" + number, m_tiles.tiles()[b].height_m);
         m_surfaces[b] = byteTexture("surface" + number, m_tiles.tiles()[b].surface);
     }
-    m_far = waterMap(context.world, context.world.area.shelter.size() - 1);
-    m_near = waterMap(context.world, 0);
     lift(m_material);
     m_material.set("u_deepWater", vector4(0.012, 0.062, 0.095, 0.0));
     m_material.set("u_shallowWater", vector4(0.035, 0.20, 0.20, 0.0));
@@ -72,40 +72,16 @@ void SeaPart::lift(ShaderMaterial& material) {
         material.addTexture("u_height" + std::to_string(b), m_heights[b], true, Mipmaps::Between);
         material.addTexture("u_surface" + std::to_string(b), m_surfaces[b], true, m_slopes);
     }
-    material.addTexture("u_water", m_far.texture, false, Mipmaps::None);
-    material.addTexture("u_waterNear", m_near.texture, false, Mipmaps::None);
+    material.addTexture("u_water", m_far.texture(), false, Mipmaps::None);
+    material.addTexture("u_waterNear", m_near.texture(), false, Mipmaps::None);
     m_lifted.push_back(material);
-}
-
-SeaPart::WaterMap SeaPart::waterMap(const core::World& world, std::size_t index) {
-    const core::Area& area = world.area;
-    if (area.shelter.empty())
-        return {
-            {0.0, 0.0},
-            {1e9, 1e9},
-            byteTexture("water" + std::to_string(index), 2, 2, std::vector<std::uint32_t>(4, 0xff80ffffu))};
-    const core::Grid& grid = area.shelter[std::min(index, area.shelter.size() - 1)];
-    std::vector<std::uint32_t> pixels;
-    for (std::size_t row = 0; row < grid.rows(); ++row) {
-        for (std::size_t column = 0; column < grid.columns(); ++column) {
-            const core::NorthEast p = grid.node(row, column);
-            const auto shelter =
-                static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(area.shelterFactor(p), 0.0, 1.0)));
-            const auto depth = static_cast<std::uint32_t>(
-                std::lround(255.0 * std::clamp(area.depth_m(p) / kDeepest_m, 0.0, 1.0)));
-            pixels.push_back(shelter | depth << 8 | 0xff000000u);
-        }
-    }
-    const double half = 0.5 * grid.spacing_m();  // a node is the middle of its pixel
-    return {grid.southWest() - core::NorthEast{half, half},
-            {grid.spacing_m() * static_cast<double>(grid.columns()),
-             grid.spacing_m() * static_cast<double>(grid.rows())},
-            byteTexture("water" + std::to_string(index), static_cast<int>(grid.columns()),
-                        static_cast<int>(grid.rows()), pixels)};
 }
 
 void SeaPart::advance(const Frame& frame) {
     m_tiles.advance(frame.moment.sea, frame.moment.time);
+    m_local = core::LocalWaves(frame.world.area, frame.moment.sea.systems, frame.moment.tide_m);
+    m_far.follow(m_local, frame.moment.tide_m);
+    m_near.follow(m_local, frame.moment.tide_m);
     const auto& t = m_tiles.tiles();
     for (std::size_t b = 0; b < 3; ++b) {
         upload(m_heights[b], t[b].height_m);
@@ -143,14 +119,9 @@ void SeaPart::look(const Frame&, const View& view) {
             material.setFragment(name, place(tiles[b].surface.sizes[0]));
         }
     }
-    const auto place = [&](const WaterMap& map) {
-        const core::NorthEast d = c.position - map.southWest;
-        return vector4(d.east_m / map.size_m[0], d.north_m / map.size_m[1], 1.0 / map.size_m[0],
-                       1.0 / map.size_m[1]);
-    };
     for (const ShaderMaterial& material : m_lifted) {
-        material.setVertex("u_waterPlace", place(m_far));
-        material.setVertex("u_waterNearPlace", place(m_near));
+        material.setVertex("u_waterPlace", m_far.place(c.position));
+        material.setVertex("u_waterNearPlace", m_near.place(c.position));
     }
     m_material.setVertex("u_grid", vector4(seaGridFactor(c.up_m), 0.0, 0.0, 0.0));
 

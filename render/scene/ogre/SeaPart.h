@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/scene/ogre/Part.h"
+#include "render/scene/ogre/WaterMap.h"
 #include "render/scene/sea/SeaGrid.h"
 #include "render/scene/sea/SeaTiles.h"
 
@@ -16,16 +17,10 @@ public:
     void look(const Frame& frame, const View& view) override;
     /// Gives a material what lift.glsl needs, and the slope maps, and keeps them up to date.
     void lift(ShaderMaterial& material);
-    const SeaTiles& tiles() const { return m_tiles; }
+    /// Of the surface, above still water.
+    double height_m(core::NorthEast p) const { return m_local.factorAt(p) * m_tiles.elevation_m(p); }
 
 private:
-    /// Shelter and depth of the area as a texture, and where it lies in N.
-    struct WaterMap {
-        core::NorthEast southWest;
-        double size_m[2];  ///< east, north
-        Ogre::TexturePtr texture;
-    };
-    WaterMap waterMap(const core::World& world, std::size_t grid);
     using Net = std::vector<Ogre::SceneNode*>;  ///< a node a sector
     Net net(const PartContext& context, const std::string& name, const SeaGrid& grid);
 
@@ -36,6 +31,7 @@ private:
     std::array<Ogre::TexturePtr, 3> m_surfaces;
     WaterMap m_far;
     WaterMap m_near;
+    core::LocalWaves m_local;
     Net m_net;
     Net m_smallNet;
     std::vector<ShaderMaterial> m_lifted;

@@ -234,12 +234,12 @@ TEST(Nearshore, WavesShoalAndBreakWhereTheAreaSaysSo) {
     const auto world = buildWorld(documents, 1).value();
     State state = startState(*world, 3);
     const WaterNow now(*world, state, state.time());
-    EXPECT_GT(now.significantHeight_m, 0.3);
+    EXPECT_GT(now.waves.significantHeight_m(), 0.3);
     double least = 10.0;
     for (double north_m = -2000.0; north_m < 4000.0; north_m += 50.0) {
         const NorthEast p{north_m, 0.0};
-        const double factor = waveFactorAt(*world, now, p), depth_m = world->area.depth_m(p) + now.tide_m;
-        EXPECT_LE(factor * now.significantHeight_m, 0.6 * std::max(depth_m, 0.0) + 0.05);
+        const double factor = now.waves.factorAt(p), depth_m = world->area.depth_m(p) + now.tide_m;
+        EXPECT_LE(factor * now.waves.significantHeight_m(), 0.6 * std::max(depth_m, 0.0) + 0.05);
         least = std::min(least, factor);
     }
     EXPECT_EQ(least, 0.0);  // ashore

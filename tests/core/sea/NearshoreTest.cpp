@@ -28,16 +28,5 @@ TEST(Nearshore, WavesBreakAtAShareOfTheDepthAndAtTheirSteepness) {
     EXPECT_EQ(breakingHeight_m(8.0, 0.0), 0.0);
 }
 
-TEST(Nearshore, HighSeasLoseTheirHeightOnTheWayIn) {
-    for (double depth_m = 10.0; depth_m > 0.5; depth_m *= 0.9) {
-        const double factor = nearshoreFactor(4.0, 9.0, 50.0, depth_m);
-        EXPECT_LE(4.0 * factor, 0.6 * depth_m + 1e-9);
-        EXPECT_LE(factor, shoalingCoefficient(9.0, 50.0, depth_m));
-    }
-    EXPECT_LT(nearshoreFactor(4.0, 9.0, 50.0, 3.0), 0.45);
-    EXPECT_EQ(nearshoreFactor(4.0, 9.0, 50.0, -1.0), 0.0);
-    EXPECT_NEAR(nearshoreFactor(0.3, 9.0, 20.0, 20.0), 1.0, 1e-9);  // where the area was taken: nothing
-}
-
 }  // namespace
 }  // namespace sagara::core
