@@ -17,6 +17,7 @@
 #include <QTest>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 
 #include "FakeLibrary.h"
 #include "core/base/Units.h"
@@ -280,6 +281,19 @@ TEST_F(Vessels, AreExportedAndImportedAsOneFileWithTheirModel) {
     EXPECT_EQ(page->chosen(), "patrol51-2");  // the one that was there stays
     EXPECT_TRUE(std::filesystem::exists(library.ownModels() / "attached/patrol51/boat.obj"));
     EXPECT_TRUE(std::filesystem::exists(library.ownModels() / "attached/patrol51/boat.mtl"));
+}
+
+TEST_F(Vessels, ADocumentOfParticularsAloneIsImportedWhole) {
+    const auto file = library.folder / "ruhuna.json";
+    std::ofstream(file) << R"({"document": "vessel", "version": 1, "id": "ruhuna", "name": "MV Ruhuna",
+        "type": "general cargo", "particulars": {"lengthOverall_m": 88, "lengthBp_m": 84, "beam_m": 14,
+        "draught_m": 5.4, "blockCoefficient": 0.76, "speed_kn": 12.5, "power_kW": 2200}})";
+    const auto trouble = page->importFrom(file);
+    ASSERT_FALSE(trouble) << *trouble;
+    EXPECT_EQ(page->chosen(), "ruhuna");
+    const std::string text = library.text("ruhuna");
+    EXPECT_EQ(text.find("particulars\":"), std::string::npos);
+    EXPECT_NE(text.find("\"telegraph_rpm\""), std::string::npos);  // to be seen and changed
 }
 
 TEST_F(Vessels, APilotCardRunsTheTrialsFirst) {
