@@ -92,8 +92,8 @@ int runIdentify(const run::Store& store, const IdentifyOptions& o) {
     found.unused = unusedOf(found, *trials);
 
     const auto document = files::findDocument(store, core::DocumentKind::Vessel, o.ship.vessel);
-    const std::string fitted =
-        core::fittedDocument(*core::completeVessel(document->name, document->text), o.ship.model, found.manoeuvres, found.swings);
+    const std::string fitted = core::fittedDocument(*core::completeVessel(document->name, document->text),
+                                                    o.ship.model, found.manoeuvres, found.swings);
     if (const auto trouble = files::writeTextFile(o.out, fitted))
         return run::tell(trouble->message), run::kMachineFailed;
     run::print(identifyReport(found));

@@ -5,13 +5,14 @@
 
 #include "core/base/Units.h"
 #include "core/seakeeping/CompleteHull.h"
+#include "core/vessel/MidshipCoefficient.h"
 
 namespace sagara::core {
 
 double usualMidshipCoefficient(double blockCoefficient) {
     // The formula is one of cargo ships; fine hulls keep a prismatic coefficient of 0.56 or more.
-    const double kerlen = 1.006 - 0.0056 * std::pow(blockCoefficient, -3.56);
-    return std::clamp(std::min(kerlen, blockCoefficient / 0.56), blockCoefficient, 0.995);
+    const double cargo = kerlenMidshipCoefficient(blockCoefficient);
+    return std::clamp(std::min(cargo, blockCoefficient / 0.56), blockCoefficient, 0.995);
 }
 
 std::vector<HullStation> stationsFrom(double lengthBp_m, double breadth_m, double draught_m,

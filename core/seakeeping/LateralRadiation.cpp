@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/Units.h"
+#include "core/sea/Dispersion.h"
 #include "core/seakeeping/Hydrostatics.h"
 
 namespace sagara::core {
@@ -17,7 +18,6 @@ constexpr double kTogether = 5.0, kAlone = 20.0;
 constexpr std::array<std::size_t, 3> kLateral{1, 3, 5};
 
 double lengthOf(const StripHull& hull) { return hull.x_m.back() - hull.x_m.front(); }
-double waveNumber(double omega_radps) { return omega_radps * omega_radps / kGravity_mps2; }
 
 /// Amplitude of the waves each section sends out in sway, roll and yaw of frame B; the square is its damping.
 std::array<std::vector<double>, 3> amplitudes(const StripHull& hull, const HullFlow& flow) {
@@ -35,7 +35,7 @@ std::array<std::vector<double>, 3> amplitudes(const StripHull& hull, const HullF
 /// Together, for a swing of unit velocity.
 Matrix6 sentOut(const StripHull& hull, const HullFlow& flow) {
     const auto amplitude = amplitudes(hull, flow);
-    const double k = waveNumber(flow.omega_radps);
+    const double k = deepWaveNumber_radpm(flow.omega_radps, kGravity_mps2);
     constexpr int kDirections = 48;  // of a quarter; the other three are alike
     Matrix6 sum;
     std::vector<double> values(hull.x_m.size());
@@ -90,7 +90,7 @@ void LateralRadiation::finish(const StripHull& hull) {
 }
 
 void LateralRadiation::learn(const StripHull& hull, const HullFlow& flow) {
-    const double kL = waveNumber(flow.omega_radps) * lengthOf(hull);
+    const double kL = deepWaveNumber_radpm(flow.omega_radps, kGravity_mps2) * lengthOf(hull);
     if (kL >= kAlone) return;
     const double way = std::min(1.0, (kAlone - kL) / (kAlone - kTogether));
     const double share = way * way * (3.0 - 2.0 * way);

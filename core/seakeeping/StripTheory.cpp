@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/Units.h"
+#include "core/sea/Dispersion.h"
 #include "core/seakeeping/Hydrostatics.h"
 
 namespace sagara::core {
@@ -66,8 +67,6 @@ void addSurge(const StripHull& hull, Matrix6& addedMass) {
     addedMass(4, 4) += hull.surgeAddedMass_kg * z_m * z_m;
 }
 
-double waveNumber(double omega_radps) { return omega_radps * omega_radps / kGravity_mps2; }
-
 std::vector<Complex> mixed(const std::vector<Complex>& a, const std::vector<Complex>& b, double share) {
     std::vector<Complex> list(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) list[i] = a[i] + share * (b[i] - a[i]);
@@ -96,7 +95,8 @@ StripHull stripHullOf(const HullForm& form, std::vector<std::string>* notes) {
 
 HullFlow flowAbout(const StripHull& hull, double omega_radps) {
     HullFlow flow{omega_radps, {}};
-    for (const Strip& strip : hull.strips) flow.strips.push_back(sectionFlow(strip, waveNumber(omega_radps)));
+    for (const Strip& strip : hull.strips)
+        flow.strips.push_back(sectionFlow(strip, deepWaveNumber_radpm(omega_radps, kGravity_mps2)));
     return flow;
 }
 
@@ -136,7 +136,7 @@ Matrix6 addedMassAtInfinity(const StripHull& hull) {
     return toFrameB(a);
 }
 
-double MetWave::waveNumber_radpm() const { return waveNumber(omega_radps); }
+double MetWave::waveNumber_radpm() const { return deepWaveNumber_radpm(omega_radps, kGravity_mps2); }
 
 double MetWave::encounter_radps() const {
     return omega_radps - waveNumber_radpm() * speed_mps * std::cos(relativeHeading_rad);

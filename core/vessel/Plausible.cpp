@@ -108,6 +108,18 @@ void checkDeck(Checker& check, const Vessel& v) {
         check.aboard(item("groundTackle.anchors", i), v.groundTackle.anchors[i].hawse, v.hull);
 }
 
+/// The side force astern is that of one screw: of two that turn against each other nothing is left.
+void checkAstern(config::Reader& document, const Vessel& v) {
+    for (const NamedModel& m : v.models) {
+        const auto* mmg = std::get_if<MmgModel>(&m.parameters);
+        if (mmg && !mmg->astern.empty() && v.propulsion.units.size() > 1)
+            document.problem("models",
+                             "has \"astern\" in \"" + m.name + "\" with " +
+                                 std::to_string(v.propulsion.units.size()) + " propulsion.units",
+                             "\"astern\" for a single screw only");
+    }
+}
+
 }  // namespace
 
 void checkPlausible(config::Reader& document, const Vessel& v) {
@@ -116,6 +128,8 @@ void checkPlausible(config::Reader& document, const Vessel& v) {
     checkLoading(check, v.hull);
     checkMachinery(check, v);
     checkDeck(check, v);
+    checkAstern(document, v);
+    if (v.planing) checkPlaningHull(document, *v.planing, v.hull);
 }
 
 }  // namespace sagara::core

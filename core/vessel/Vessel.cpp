@@ -57,18 +57,6 @@ std::vector<NamedModel> readModels(config::Reader& in) {
     return models;
 }
 
-/// The side force astern is that of one screw: of two that turn against each other nothing is left.
-void checkAstern(config::Reader& in, const Vessel& v) {
-    for (const NamedModel& m : v.models) {
-        const auto* mmg = std::get_if<MmgModel>(&m.parameters);
-        if (mmg && !mmg->astern.empty() && v.propulsion.units.size() > 1)
-            in.problem("models",
-                       "has \"astern\" in \"" + m.name + "\" with " +
-                           std::to_string(v.propulsion.units.size()) + " propulsion.units",
-                       "\"astern\" for a single screw only");
-    }
-}
-
 }  // namespace
 
 Result<const NamedModel*, std::string> Vessel::model(std::string_view modelName) const {
@@ -113,8 +101,6 @@ Result<Vessel, config::Problems> loadVessel(const std::string& name, std::string
     v.mooring = readGroup(in, "mooring", readMooringGear);
     v.groundTackle = readGroup(in, "groundTackle", readGroundTackle);
     if (in.has("picture")) v.picture = readGroup(in, "picture", readPicture);
-    if (in.sound() && v.planing) checkPlaningHull(in, *v.planing, v.hull);
-    if (in.sound()) checkAstern(in, v);
     if (in.sound()) checkPlausible(in, v);
     in.rejectUnknownKeys();
     return document.finish(std::move(v));

@@ -29,7 +29,7 @@ struct Vessel {
     double bridgeEyeHeight_m = 0.0;
     Hull hull;
     std::optional<PlaningHull> planing;  ///< none: she floats at any speed
-    std::vector<NamedModel> models;  ///< at least one; the first is the default
+    std::vector<NamedModel> models;      ///< at least one; the first is the default
     Seakeeping seakeeping;
     Propulsion propulsion;
     Steering steering;
