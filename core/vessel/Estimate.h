@@ -23,6 +23,7 @@ struct Form {
     double gravityHeight_m;  ///< KG
     double rollGyradius_m;   ///< dry: IMO 2008 IS Code roll period, a sixth of the inertia being added water
     double houseHeight_m;    ///< of the superstructure above the main deck
+    double skeg_m2;          ///< lateral area of skeg, deadwood and brackets aft
     double mass_kg() const { return kWater_kgpm3 * volume_m3; }
 };
 Form formOf(const Particulars& p, const ShipKind& kind);
@@ -81,8 +82,14 @@ Derivatives derivativesOf(const Form& form);
 /// Quadratic and higher derivatives of Kijima, Katsuno, Nakiri and Furukawa (1990), J. SNAJ 168, in lateral
 /// velocity; other members 0.
 MmgHull kijimaNonlinear(double length_m, double beam_m, double draught_m, double block);
-/// The whole MMG model: linear derivatives of Clarke et al., the rest of Kijima et al.; X of Yoshimura and
-/// Masumoto (2012); rudder of these, Kijima and Quadvlieg (2013).
+/// What the stern of a full ship lifts less, in sideways flow, than the ships of Clarke's regression: over
+/// 1/2 rho L d, as of a fin at the stern taken away. Without it full forms are too steady on their course.
+/// Chosen on three tankers (Sagara, 2026): zigzags of KVLCC2 as measured at MARIN and HSVA, of Esso Osaka and
+/// of the 190 000 t tanker of Van Berlekom and Goddard (1972).
+double sternLoss(const Form& form);
+/// The whole MMG model: linear derivatives of Clarke et al. with the skeg as a fin aft and less the loss of
+/// full sterns, the rest of Kijima et al.; X of Yoshimura and Masumoto (2012); rudder of these, Kijima and
+/// Quadvlieg (2013).
 MmgParameters mmgOf(const Form& form, const Drive& drive, const Rudders& rudders);
 /// Side force of a single screw astern: that of the 3 m Esso Osaka (Hachii, in Miyauchi et al. 2022) for the
 /// same thrust.

@@ -3,6 +3,7 @@
 
 #include "core/base/Units.h"
 #include "core/vessel/Estimate.h"
+#include "core/vessel/MidshipCoefficient.h"
 
 namespace sagara::core::estimate {
 namespace {
@@ -64,7 +65,7 @@ HoltropHull holtropHullOf(const Particulars& p, const ShipKind& kind, const Form
     h.draught_m = f.draught_m;
     h.volume_m3 = f.volume_m3;
     h.waterplane = f.waterplane;
-    h.midship = 1.006 - 0.0056 * std::pow(std::max(f.block, 0.45), -3.56);  // Kerlen (1970)
+    h.midship = kerlenMidshipCoefficient(std::max(f.block, 0.45));
     h.buoyancy_pct = 100.0 * buoyancyForward_m(f, p.speed_mps) / f.length_m;
     constexpr double kBulbFrom_m = 90.0;
     if (kind.bulb && f.length_m >= kBulbFrom_m) {

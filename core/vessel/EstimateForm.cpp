@@ -21,6 +21,8 @@ Form formOf(const Particulars& p, const ShipKind& kind) {
     constexpr double kDeckHeight_m = 2.7;
     f.houseHeight_m = kDeckHeight_m * std::clamp(1.0 + f.lengthOverall_m / 62.0, 1.0, 7.0);
 
+    f.skeg_m2 = kind.skegShare * f.length_m * f.draught_m;
+
     const double KM_m = metacentre_m(f.beam_m, f.draught_m, f.block, f.waterplane);
     const double GM_m = KM_m - kind.gravityOverDepth * f.depth_m;
     // Ships are loaded to sail between these; small craft are stiffer.

@@ -32,7 +32,27 @@ void addLinear(MmgHull& h, const Form& f, const Derivatives& d) {
     h.Nr = d.Nr / (scale * L * L);
 }
 
+/// A fin aft; less than none where `lift`, over 1/2 rho L d U v, is negative.
+void addFin(MmgHull& h, double lift, double place) {
+    h.Yv -= lift;
+    h.Yr -= place * lift;
+    h.Nv -= place * lift;
+    h.Nr -= place * place * lift;
+}
+
+/// Skegs, of little span for their length.
+double skegLift(const Form& f) {
+    constexpr double kLiftSlope = 1.8;
+    return kLiftSlope * f.skeg_m2 / (f.length_m * f.draught_m);
+}
+
 }  // namespace
+
+double sternLoss(const Form& f) {
+    constexpr double kOfFullness = 0.09, kFine = 0.65, kFull = 0.80;
+    const double share = std::clamp((f.block - kFine) / (kFull - kFine), 0.0, 1.0);
+    return kOfFullness * share * f.block * f.beam_m / f.length_m;
+}
 
 MmgHull kijimaNonlinear(double length_m, double beam_m, double draught_m, double block) {
     const double full = block * beam_m / length_m, fine = draught_m * (1.0 - block) / beam_m,
@@ -58,6 +78,8 @@ MmgParameters mmgOf(const Form& f, const Drive& drive, const Rudders& rudders) {
     h.Nrr = 0.0;
     h.Nrrr = std::min(0.25 * full - 0.056, -0.015);  // of very beamy hulls it would drive the swing
     addLinear(h, f, d);
+    addFin(h, skegLift(f), -0.45);
+    addFin(h, -sternLoss(f), -0.5);
     h.R0 = drive.resistance_N /
            (0.5 * kWater_kgpm3 * f.length_m * f.draught_m * drive.speed_mps * drive.speed_mps);
     h.Xvv = std::min(0.0, 1.15 * full - 0.18);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/Config.h"
 #include "core/base/Units.h"
 #include "core/vessel/EstimatedGroups.h"
 
@@ -25,7 +26,7 @@ Json inertiaGroup(const MmgInertia& i) {
         "1974); added masses: Soeding 1982 in surge, Zhou, Sheng & Wu 1983 after Motora in sway and yaw");
 }
 
-Json hullGroup(const MmgHull& h, bool powerKnown) {
+Json hullGroup(const MmgHull& h, const Form& f, bool powerKnown) {
     return marked(
         {{"R0", neat(h.R0)},
          {"Xvv", neat(h.Xvv)},
@@ -44,9 +45,18 @@ Json hullGroup(const MmgHull& h, bool powerKnown) {
          {"Nrrr", neat(h.Nrrr)},
          {"Nvvr", neat(h.Nvvr)},
          {"Nvrr", neat(h.Nvrr)}},
-        "linear derivatives: Clarke, Gedling & Hine 1983; higher ones: Kijima, Katsuno, Nakiri & Furukawa "
-        "1990, but Nrrr and X of Yoshimura & Masumoto 2012; "
-        "resistance: " +
+        "linear derivatives: Clarke, Gedling & Hine 1983" +
+            std::string(f.skeg_m2 > 0.0
+                            ? ", to which " + config::formatNumber(neat(f.skeg_m2)) +
+                                  " m2 of skeg and brackets at -0.45 Lpp are added (usual for the type, lift "
+                                  "slope 1.8)"
+                            : "") +
+            (sternLoss(f) > 0.0
+                 ? ", from which a fin of lift " + config::formatNumber(neat(sternLoss(f))) +
+                       " at -0.5 Lpp is taken as of full sterns (chosen on three tankers, Sagara 2026)"
+                 : "") +
+            "; higher ones: Kijima, Katsuno, Nakiri & Furukawa 1990, but Nrrr and X of Yoshimura & Masumoto "
+            "2012; resistance: " +
             std::string(powerKnown
                             ? "what the propeller overcomes at the service speed with 85 % of the power"
                             : "Holtrop & Mennen 1982 and Holtrop 1984 at the service speed") +
@@ -102,7 +112,7 @@ Json modelGroup(const Form& f, const Drive& drive, const Rudders& rudders, int s
                         "MMG standard method (Yasukawa & Yoshimura 2015) with every group from published "
                         "regressions on the main particulars");
     model["inertia"] = inertiaGroup(p.inertia);
-    model["hull"] = hullGroup(p.hull, drive.powerKnown);
+    model["hull"] = hullGroup(p.hull, f, drive.powerKnown);
     model["range"] = rangeGroup(p.range);
     model["wake"] = wakeGroup(p.wake);
     model["rudder"] = rudderGroup(p.rudder);

@@ -20,25 +20,27 @@ struct ShipKind {
     double gravityOverDepth;  ///< KG over depth
     double leastWaterplane;   ///< waterplane coefficient of transom forms
     double rudderShare;       ///< of length by draught, where usual ships have more than the DNV rule
+    double skegShare;         ///< of it too: skeg, deadwood, brackets aft; 0 where they are little
     bool fullForm;            ///< propeller diameter as of tankers and bulk carriers
     bool bulb;                ///< at 90 m and more
 };
 inline constexpr std::array<ShipKind, 15> kShipKinds{{
-    {"tanker", "tanker loaded", 0.76, -0.37, 0.12, 0.56, 0.0, 0.0, true, true},
-    {"bulk carrier", "cargo vessel loaded", 0.72, -0.38, 0.12, 0.58, 0.0, 0.0, true, true},
-    {"general cargo", "cargo vessel loaded", 0.72, -0.36, 0.18, 0.60, 0.0, 0.02, false, true},
-    {"container ship", "container ship loaded", 0.60, -0.22, 0.75, 0.62, 0.70, 0.0, false, true},
-    {"gas carrier", "LNG tanker", 0.48, -0.36, 0.50, 0.58, 0.0, 0.0, false, true},
-    {"car carrier", "car carrier", 0.32, 0.40, 0.85, 0.55, 0.72, 0.018, false, true},
-    {"ferry", "ferry", 0.42, 0.36, 0.75, 0.62, 0.74, 0.021, false, true},
-    {"passenger ship", "passenger liner", 0.38, 0.36, 0.80, 0.62, 0.74, 0.018, false, true},
-    {"fishing vessel", "fishing vessel", 0.72, 0.06, 0.40, 0.70, 0.76, 0.032, false, false},
-    {"offshore supply vessel", "offshore supply vessel", 0.75, 0.28, 0.32, 0.66, 0.80, 0.025, false, false},
-    {"tug", "tender", 0.72, 0.12, 0.50, 0.66, 0.80, 0.04, false, false},
-    {"patrol vessel", "destroyer", 0.45, 0.15, 0.55, 0.65, 0.74, 0.027, false, false},
-    {"fast craft", "speed boat", 0.42, 0.05, 0.60, 0.62, 0.76, 0.035, false, false},
-    {"yacht", "speed boat", 0.52, 0.05, 0.60, 0.60, 0.74, 0.032, false, false},
-    {"research vessel", "research vessel", 0.65, 0.16, 0.50, 0.64, 0.72, 0.022, false, false},
+    {"tanker", "tanker loaded", 0.76, -0.37, 0.12, 0.56, 0.0, 0.0, 0.0, true, true},
+    {"bulk carrier", "cargo vessel loaded", 0.72, -0.38, 0.12, 0.58, 0.0, 0.0, 0.0, true, true},
+    {"general cargo", "cargo vessel loaded", 0.72, -0.36, 0.18, 0.60, 0.0, 0.02, 0.0, false, true},
+    {"container ship", "container ship loaded", 0.60, -0.22, 0.75, 0.62, 0.70, 0.0, 0.0, false, true},
+    {"gas carrier", "LNG tanker", 0.48, -0.36, 0.50, 0.58, 0.0, 0.0, 0.0, false, true},
+    {"car carrier", "car carrier", 0.32, 0.40, 0.85, 0.55, 0.72, 0.018, 0.0, false, true},
+    {"ferry", "ferry", 0.42, 0.36, 0.75, 0.62, 0.74, 0.021, 0.0, false, true},
+    {"passenger ship", "passenger liner", 0.38, 0.36, 0.80, 0.62, 0.74, 0.018, 0.0, false, true},
+    {"fishing vessel", "fishing vessel", 0.72, 0.06, 0.40, 0.70, 0.76, 0.032, 0.06, false, false},
+    {"offshore supply vessel", "offshore supply vessel", 0.75, 0.28, 0.32, 0.66, 0.80, 0.025, 0.03, false,
+     false},
+    {"tug", "tender", 0.72, 0.12, 0.50, 0.66, 0.80, 0.04, 0.12, false, false},
+    {"patrol vessel", "destroyer", 0.45, 0.15, 0.55, 0.65, 0.74, 0.027, 0.015, false, false},
+    {"fast craft", "speed boat", 0.42, 0.05, 0.60, 0.62, 0.76, 0.035, 0.05, false, false},
+    {"yacht", "speed boat", 0.52, 0.05, 0.60, 0.60, 0.74, 0.032, 0.03, false, false},
+    {"research vessel", "research vessel", 0.65, 0.16, 0.50, 0.64, 0.72, 0.022, 0.0, false, false},
 }};
 /// The kind of that name, or null.
 const ShipKind* findShipKind(std::string_view name);

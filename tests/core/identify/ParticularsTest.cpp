@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "core/base/Units.h"
 #include "core/bridge/OwnShip.h"
@@ -35,6 +36,29 @@ Particulars kvlcc2() {
     p.displacement_m3 = 312600.0;
     p.speed_mps = 15.5 * kKnot_mps;
     p.power_W = 25e6;
+    return p;
+}
+/// With what her pilot card says besides.
+Particulars kvlcc2InFull() {
+    Particulars p = kvlcc2();
+    p.rudderArea_m2 = 112.5;
+    p.propellerDiameter_m = 9.86;
+    p.metacentricHeight_m = 5.71;
+    p.depth_m = 30.0;
+    return p;
+}
+Particulars tanker190k() {
+    Particulars p = kvlcc2();
+    p.id = "tanker190k";
+    p.name = "190 000 t tanker";
+    p.lengthOverall_m = 318.0;
+    p.lengthBp_m = 304.8;
+    p.beam_m = 47.17;
+    p.draught_m = 18.46;
+    p.displacement_m3 = 220000.0;
+    p.speed_mps = 15.9 * kKnot_mps;
+    p.power_W = 22e6;
+    p.rudderArea_m2 = 89.96;
     return p;
 }
 Particulars essoOsaka() {
@@ -74,6 +98,8 @@ struct Known {
     double rudder_deg, speed_mps;
     double advance_L, tacticalDiameter_L;
     const char* source;
+    /// Of zigzags, where they are known and reached: first and second of 10/10, first of 20/20.
+    std::optional<double> first10_deg = {}, second10_deg = {}, first20_deg = {};
 };
 
 TEST(Estimate, GivesABowThrusterOnlyWhereItIsAskedFor) {
@@ -119,16 +145,45 @@ TEST_P(KnownShip, EstimatedFromHerParticularsTurnsWithin25Percent) {
         zigzag20.measure("overshoot_1_deg").value_or(-1), stop.measure("track_reach_over_L").value_or(-1));
     EXPECT_NEAR(diameter / known.tacticalDiameter_L, 1.0, 0.25) << known.source;
     EXPECT_NEAR(*turn.measure("advance_over_L") / known.advance_L, 1.0, 0.25) << known.source;
+    const auto near = [&](const Trial& trial, const char* measure, const std::optional<double>& value) {
+        if (!value) return;
+        EXPECT_NEAR(*trial.measure(measure) / *value, 1.0, 0.25) << measure << " " << known.source;
+    };
+    near(zigzag, "overshoot_1_deg", known.first10_deg);
+    near(zigzag, "overshoot_2_deg", known.second10_deg);
+    near(zigzag20, "overshoot_1_deg", known.first20_deg);
 }
 
+/// Second overshoots of KVLCC2 go with 21.9 deg at MARIN and 20.5 at HSVA. The tankers are those on which
+/// estimate::sternLoss was chosen, the patrol vessel the one for the skegs of her kind.
 INSTANTIATE_TEST_SUITE_P(
     Published, KnownShip,
-    ::testing::Values(Known{"kvlcc2", kvlcc2(), 35.0, 15.5 * kKnot_mps, 3.10, 3.33,
-                            "MARIN free-running model, SIMMAN 2008 (kvlcc2_experiment_measures.csv)"},
+    ::testing::Values(Known{"kvlcc2",
+                            kvlcc2(),
+                            35.0,
+                            15.5 * kKnot_mps,
+                            3.10,
+                            3.33,
+                            "MARIN free-running model, SIMMAN 2008 (kvlcc2_experiment_measures.csv)",
+                            {},
+                            {},
+                            13.7},
+                      Known{"kvlcc2InFull",
+                            kvlcc2InFull(),
+                            35.0,
+                            15.5 * kKnot_mps,
+                            3.10,
+                            3.33,
+                            "MARIN free-running model, SIMMAN 2008 (kvlcc2_experiment_measures.csv)",
+                            8.2,
+                            {},
+                            13.7},
                       Known{"essoOsaka", essoOsaka(), 35.0, 10.0 * kKnot_mps, 1015.0 / 325.0, 925.0 / 325.0,
                             "trials of 1977 (esso_osaka_trials_recalled.csv)"},
+                      Known{"tanker190k", tanker190k(), 10.0, 8.18, 5.421, 5.366,
+                            "Van Berlekom & Goddard 1972 (published_models_measures.csv)", 6.276, 14.89},
                       Known{"patrol51", patrol51(), 20.0, 8.0, 3.64, 5.20,
-                            "Perez & Blanke 2002 (patrol51_measures.csv)"}),
+                            "Perez & Blanke 2002 (patrol51_measures.csv)", 4.721, 5.653}),
     [](const auto& row) { return row.param.name; });
 
 /// Ships of all kinds and sizes.
