@@ -77,9 +77,10 @@ Measure readMeasure(Reader in) {
     return m;
 }
 
-ManoeuvreCase readCase(Reader& in) {
+ManoeuvreCase readCase(const ValidationContext& context, Reader& in) {
     ManoeuvreCase c;
-    c.run.ship.vessel = in.text("vessel");
+    c.run.ship.vessel =
+        in.has("particulars") ? context.reference(in.text("particulars")).string() : in.text("vessel");
     c.run.ship.model = in.textOr("model", "");
     c.run.ship.depth_m = in.numberOr("depth_m", core::kDeepWater_m, {0.1, core::kDeepWater_m, "m"});
     readRun(Reader(in.child("run")), c.run);
@@ -154,7 +155,7 @@ TrialPicture pictureOf(ManoeuvreOptions::Test test) {
 }  // namespace
 
 ValidationOutcome runManoeuvreCase(const ValidationContext& context, Reader& in) {
-    ManoeuvreCase c = readCase(in);
+    ManoeuvreCase c = readCase(context, in);
     ValidationOutcome outcome;
     if (!in.sound()) return outcome;
     const auto vessel = openVessel(context.documents, c.run.ship);
