@@ -1,5 +1,6 @@
 #include "core/motion/Planing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/Units.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kStep_mps = 0.5, kFastest_mps = 50.0;
 constexpr double kFloats = 0.6, kPlanes = 1.6;  // C_V
+constexpr double kMost_deg = 15.0;              // of trim: the formulas hold to there
 
 /// Where a rising function reaches a value.
 template <typename F>
@@ -65,7 +67,7 @@ RunningAttitude Planing::running(double surge_mps) const {
                                 m_bottom.gravityFromTransom_m / b, 0.1, 12.0);
     const double lift = m_weight_N / (0.5 * m_density_kgpm3 * surge_mps * surge_mps * b * b);
     const PlaningLift perDegree = planingLift(speed, 1.0, lambda);
-    const double trim_deg = std::pow(flatLift(lift, beta) / perDegree.flat(), 1.0 / 1.1);
+    const double trim_deg = std::min(kMost_deg, std::pow(flatLift(lift, beta) / perDegree.flat(), 1.0 / 1.1));
     const double trim_rad = trim_deg * kDegree_rad;
     const double forward_m = m_bottom.gravityFromTransom_m - 0.5 * m_length_m;  // of G, from midship
     const double keelDepth_m =

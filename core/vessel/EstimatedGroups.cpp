@@ -111,10 +111,10 @@ Json steeringGroup(const Particulars& p, const Form& f, const Rudders& r) {
         std::string(p.rudderArea_m2 ? "area as entered"
                                     : "area by the DNV rule T L / 100 (1 + 25 (B/L)^2), more where usual for "
                                       "the type (Molland & Turnock 2007)") +
-            "; lift slope Fujii for an aspect ratio of 1.8, with the wake and the hull's share (Kijima et "
-            "al. "
-            "1990) taken in; race by the MMG model at the service speed (Yasukawa & Yoshimura 2015), 0.7 of "
-            "it, for a rudder hard over is partly out of it; rate of SOLAS II-1/29 and above");
+            "; lift slope Fujii for an aspect ratio of 1.8, with the wake and the hull's share (Kijima 1990) "
+            "taken in; race by the MMG model at the service speed (Yasukawa & Yoshimura 2015), 0.7 of it, "
+            "for "
+            "a rudder hard over is partly out of it; rate of SOLAS II-1/29 and above");
 }
 
 /// A tunnel as deep as it goes, loaded as makers load them: 320 kW per square metre.
