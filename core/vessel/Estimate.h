@@ -88,8 +88,8 @@ MmgHull kijimaNonlinear(double length_m, double beam_m, double draught_m, double
 /// of the 190 000 t tanker of Van Berlekom and Goddard (1972).
 double sternLoss(const Form& form);
 /// The whole MMG model: linear derivatives of Clarke et al. with the skeg as a fin aft and less the loss of
-/// full sterns, the rest of Kijima et al.; X of Yoshimura and Masumoto (2012); rudder of these, Kijima and
-/// Quadvlieg (2013).
+/// full sterns, the rest of Kijima et al. with more of Nvvr; X of Yoshimura and Masumoto (2012); rudder of
+/// these, Kijima and Quadvlieg (2013).
 MmgParameters mmgOf(const Form& form, const Drive& drive, const Rudders& rudders);
 /// Side force of a single screw astern: that of the 3 m Esso Osaka (Hachii, in Miyauchi et al. 2022) for the
 /// same thrust.

@@ -56,7 +56,7 @@ Json hullGroup(const MmgHull& h, const Form& f, bool powerKnown) {
                        " at -0.5 Lpp is taken as of full sterns (chosen on three tankers, Sagara 2026)"
                  : "") +
             "; higher ones: Kijima, Katsuno, Nakiri & Furukawa 1990, but Nrrr and X of Yoshimura & Masumoto "
-            "2012; resistance: " +
+            "2012, and Nvvr less by 0.157, as KVLCC2 and KCS have it; resistance: " +
             std::string(powerKnown
                             ? "what the propeller overcomes at the service speed with 85 % of the power"
                             : "Holtrop & Mennen 1982 and Holtrop 1984 at the service speed") +
