@@ -83,6 +83,8 @@ Result<std::string, config::Problems> completeVessel(const std::string& name, st
         for (const config::Problem& problem : estimated.error().list()) {
             if (problem.path == "kind" && !group.has("kind"))
                 in.problem("type", problem.found, problem.expected + "; or particulars.kind is that");
+            else if (problem.path.find_first_of(".[") != std::string::npos)
+                in.problem(problem.path, problem.found, problem.expected);  // of what is estimated
             else
                 group.problem(documentName(problem.path), problem.found, problem.expected);
         }

@@ -43,6 +43,8 @@ struct Drive {
     double speed_mps;
 };
 Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form);
+/// The power, of all engines, maximum continuous, that overcomes a resistance at the service speed so.
+double powerFor_W(double resistance_N, const Particulars& p, const ShipKind& kind, const Form& form);
 /// The hull for a resistance by `holtropResistance`: midship section by Kerlen (1970), usual bulb and
 /// appendages.
 HoltropHull holtropHullOf(const Particulars& p, const ShipKind& kind, const Form& form);

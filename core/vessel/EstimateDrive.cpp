@@ -51,6 +51,22 @@ double propellerPower_W(Drive& d, const Particulars& p, const Form& form) {
            std::pow(d.diameter_m, 5) * p.shafts;
 }
 
+/// Speed, diameter, wake and thrust deduction; resistance and screw are still to be found.
+Drive behindHull(const Particulars& p, const ShipKind& kind, const Form& form) {
+    Drive d{};
+    d.speed_mps = p.speed_mps;
+    d.powerKnown = p.power_W.has_value();
+    const bool single = p.shafts == 1;
+    // Kristensen and Luetzen (2013); twin screws are a little smaller.
+    const double usual_m = kind.fullForm ? 0.395 * form.draught_m + 1.30 : 0.623 * form.draught_m - 0.16;
+    d.diameter_m = p.propellerDiameter_m.value_or(
+        std::clamp(usual_m, 0.45 * form.draught_m, (single ? 0.75 : 0.70) * form.draught_m));
+    // Taylor (1933); Schoenherr.
+    d.wake = std::clamp(single ? 0.5 * form.block - 0.05 : 0.55 * form.block - 0.20, 0.02, 0.45);
+    d.deduction = single ? 0.6 * d.wake : 0.25 * d.wake + 0.10;
+    return d;
+}
+
 }  // namespace
 
 double Drive::addedRace() const {
@@ -79,17 +95,7 @@ HoltropHull holtropHullOf(const Particulars& p, const ShipKind& kind, const Form
 }
 
 Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form) {
-    Drive d{};
-    d.speed_mps = p.speed_mps;
-    d.powerKnown = p.power_W.has_value();
-    const bool single = p.shafts == 1;
-    // Kristensen and Luetzen (2013); twin screws are a little smaller.
-    const double usual_m = kind.fullForm ? 0.395 * form.draught_m + 1.30 : 0.623 * form.draught_m - 0.16;
-    d.diameter_m = p.propellerDiameter_m.value_or(
-        std::clamp(usual_m, 0.45 * form.draught_m, (single ? 0.75 : 0.70) * form.draught_m));
-    // Taylor (1933); Schoenherr.
-    d.wake = std::clamp(single ? 0.5 * form.block - 0.05 : 0.55 * form.block - 0.20, 0.02, 0.45);
-    d.deduction = single ? 0.6 * d.wake : 0.25 * d.wake + 0.10;
+    Drive d = behindHull(p, kind, form);
     if (p.power_W) {
         const double delivered_W = kServiceLoad * kShaftEfficiency * *p.power_W;
         double low_N = 1.0, high_N = delivered_W / p.speed_mps * 1.5;
@@ -105,6 +111,12 @@ Drive driveOf(const Particulars& p, const ShipKind& kind, const Form& form) {
         d.power_W = propellerPower_W(d, p, form) / (kServiceLoad * kShaftEfficiency);
     }
     return d;
+}
+
+double powerFor_W(double resistance_N, const Particulars& p, const ShipKind& kind, const Form& form) {
+    Drive d = behindHull(p, kind, form);
+    d.resistance_N = resistance_N;
+    return propellerPower_W(d, p, form) / (kServiceLoad * kShaftEfficiency);
 }
 
 std::vector<double> shaftsAcross_m(int count, double beam_m) {

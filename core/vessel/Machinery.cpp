@@ -38,7 +38,7 @@ double usualInertia_kgm2(double diameter_m) { return 8.0 * std::pow(diameter_m, 
 Engine readEngine(const config::Node& node, double diameter_m) {
     config::Reader in(node);
     Engine e;
-    const double power_W = 1e3 * in.number("power_kW", {5.0, 1e5, "kW"});
+    const double power_W = 1e3 * in.number("power_kW", {5.0, 1.2e5, "kW"});
     e.full_rps = kRpm_rps * in.number("speed_rpm", {30.0, 3000.0, "rpm"});
     e.torque_Nm = power_W / (kTwoPi * e.full_rps);
     e.idle_rps = kRpm_rps * in.number("idle_rpm", {0.0, 1000.0, "rpm"});

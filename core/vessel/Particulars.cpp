@@ -102,17 +102,20 @@ void checkPower(const Particulars& p, const estimate::Form& form, const estimate
                 config::Problems& problems) {
     const double friction_N = estimate::frictionalResistance_N(form, p.speed_mps);
     const double weight_N = form.mass_kg() * kGravity_mps2;
-    const double perResistance = drive.power_W / drive.resistance_N;
-    const auto kilowatts = [](double W) { return config::formatNumber(std::round(1e-3 * W)) + " kW"; };
+    const double most_N = std::max(0.25 * weight_N, 12.0 * friction_N);
+    const ShipKind& kind = *findShipKind(p.kind);
+    const auto powerFor = [&](double resistance_N) {
+        return estimate::powerFor_W(resistance_N, p, kind, form);
+    };
+    const auto kilowatts = [](double W) { return config::formatNumber(std::ceil(1e-3 * W)) + " kW"; };
     const auto say = [&](const std::string& expected) {
         problems.add({"power_W", "is " + kilowatts(*p.power_W), expected});
     };
     if (drive.resistance_N < 0.95 * friction_N)
-        say("at least " + kilowatts(friction_N * perResistance) +
+        say("at least " + kilowatts(powerFor(0.95 * friction_N)) +
             ": the friction of the hull alone takes that at this speed");
-    else if (drive.resistance_N > std::max(0.25 * weight_N, 12.0 * friction_N))
-        say("at most about " + kilowatts(std::max(0.25 * weight_N, 12.0 * friction_N) * perResistance) +
-            " for this ship at this speed");
+    else if (drive.resistance_N > most_N)
+        say("at most about " + kilowatts(powerFor(most_N)) + " for this ship at this speed");
 }
 
 }  // namespace
